@@ -1,0 +1,34 @@
+# Build options shared by every layer.
+
+option(BIOTOPE_EDITOR "Build the editor and the command line (needs GLFW and Dear ImGui)" ON)
+option(BIOTOPE_TESTS "Build the tests" ON)
+option(BIOTOPE_BENCHMARKS "Build tests/bench" OFF)
+set(BIOTOPE_SANITIZE "" CACHE STRING "Sanitizers to build with: address,undefined or thread")
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+find_program(BIOTOPE_CCACHE ccache)
+if(BIOTOPE_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${BIOTOPE_CCACHE})
+endif()
+
+# Results must be the same to the bit wherever the program runs: no fused
+# multiply-add that one processor has and another has not.
+add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror
+                    -ffp-contract=off)
+# GCC 12 reports false positives of these from inside the standard library at -O2 and above.
+add_compile_options(-Wno-error=maybe-uninitialized -Wno-error=array-bounds
+                    -Wno-error=stringop-overflow -Wno-error=stringop-overread -Wno-error=restrict)
+
+if(BIOTOPE_SANITIZE)
+  add_compile_options(-fsanitize=${BIOTOPE_SANITIZE} -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${BIOTOPE_SANITIZE})
+endif()

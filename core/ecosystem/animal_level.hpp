@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/paint.hpp"
+#include "core/base/status.hpp"
+#include "core/base/task_context.hpp"
+#include "core/ecosystem/confinement.hpp"
+#include "core/ecosystem/cover.hpp"
+#include "core/ecosystem/resource_access_graph.hpp"
+#include "core/species/species_library.hpp"
+
+namespace biotope {
+
+/// Animals that travel together.
+struct Herd {
+  int species = 0;  ///< number in the food web
+  int region = 0;   ///< confinement region of that species
+  int size = 0;     ///< individuals
+};
+
+/// One animal level after competition and paint.
+struct AnimalLevel {
+  int level = 1;
+  /// Species numbers of the level; the vectors below have one entry each, in this order.
+  std::vector<int> species;
+  std::vector<std::shared_ptr<const ConfinementRegions>> regions;
+  std::shared_ptr<const Partition> partition;
+  /// Resources of the level, without spatial edges (movement adds those).
+  std::shared_ptr<const GraphLevel> graph;
+  /// Individuals by species and region: as competition made them, and with paint.
+  std::vector<std::vector<double>> computed_population;
+  std::vector<std::vector<double>> population;
+  std::vector<Herd> herds;
+  /// Shares of the level's individuals; `desired` is empty when none was asked.
+  std::vector<double> desired;
+  std::vector<double> achieved;
+  /// kg eaten in a year by resource species (number in the web) and piece of this level's partition.
+  std::vector<std::vector<double>> eaten;
+  /// Paint that asks for more than there is: what, where and how much.
+  struct Shortage {
+    int species = 0;
+    int region = 0;
+    std::string resource;
+    double missing = 0;  ///< kg per year
+  };
+  std::vector<Shortage> shortages;
+  std::vector<std::string> warnings;
+};
+
+/// Everything the competition of an animal level reads.
+struct AnimalLevelInput {
+  const FoodWeb& web;
+  int level = 1;
+  Ground ground;
+  /// Plants in the order of web.levels[0], paint included.
+  std::span<const std::shared_ptr<const CoverMap>> plants;
+  /// Animal levels below, in order (level 1 first).
+  std::span<const std::shared_ptr<const AnimalLevel>> below;
+  /// Desired share per species of the level, or empty.
+  std::vector<double> desired;
+  /// Paint on each species' density (individuals / km2); null where none.
+  std::vector<std::shared_ptr<const PaintLayer>> paint;
+  std::uint64_t seed = 1;
+};
+
+/// Regions, partition, resource nodes, competition (with or without proportions), paint, herds and what is eaten.
+/// A species never takes more than the yearly growth that the levels below and its rivals left. Deterministic; nothing when stopped.
+[[nodiscard]] Result<AnimalLevel> compute_animal_level(const AnimalLevelInput& input, const TaskContext& context = {});
+
+/// Individuals per km2 in every cell: uniform over each region, with paint.
+[[nodiscard]] Grid<float> animal_density(const AnimalLevel& level, int species_index, const PaintLayer* paint);
+
+}  // namespace biotope

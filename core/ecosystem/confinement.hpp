@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/base/grid.hpp"
+#include "core/ecosystem/cover.hpp"
+#include "core/species/species.hpp"
+#include "core/terrain/derivatives.hpp"
+#include "core/terrain/hydrology.hpp"
+#include "core/terrain/terrain.hpp"
+
+namespace biotope {
+
+/// Regions smaller than this hold nobody, m2.
+inline constexpr double minimum_region_area = 10000;
+
+
+/// The ground as animals meet it.
+struct Ground {
+  std::shared_ptr<const Terrain> terrain;
+  std::shared_ptr<const Derivatives> derivatives;
+  std::shared_ptr<const Hydrology> hydrology;
+  /// Sum of tree covers of a cell, 0..full_cover; null before plants are known.
+  std::shared_ptr<const Grid<Cover>> tree_cover;
+};
+
+/// Two species with equal limits share their obstacles, regions and travel graph.
+struct Mobility {
+  float max_slope = 0;
+  float wade_depth = 0;
+  float max_tree_cover = 0;
+  float slope_sensitivity = 0;
+  bool operator==(const Mobility&) const = default;
+};
+[[nodiscard]] Mobility mobility_of(const AnimalTraits& animal);
+
+/// Cells steeper than the limit, water deeper than it wades (unless within a ford), tree cover denser than it pushes through.
+[[nodiscard]] Grid<std::uint8_t> blocked_cells(const Ground& ground, const Mobility& mobility);
+
+/// Connected components (4-neighbours) of passable cells.
+struct ConfinementRegions {
+  /// Region of each cell, -1 where blocked or in a region below the minimum area. Regions are numbered by their first cell in row order.
+  Grid<std::int32_t> label;
+  struct Region {
+    std::size_t cells = 0;
+    double area = 0;  ///< m2
+    Rect bounds;
+  };
+  std::vector<Region> regions;
+};
+[[nodiscard]] ConfinementRegions confinement_regions(const Grid<std::uint8_t>& blocked, double cell_size);
+
+/// The finest common partition of several species' regions: two cells are in one piece when every species has them in the same region.
+struct Partition {
+  /// Piece of each cell, -1 where no species can be.
+  Grid<std::int32_t> label;
+  struct Piece {
+    std::size_t cells = 0;
+    double area = 0;
+    /// Region of each species (order of the regions passed in), -1 where that species cannot be.
+    std::vector<int> region;
+  };
+  std::vector<Piece> pieces;
+};
+[[nodiscard]] Partition finest_partition(std::span<const std::shared_ptr<const ConfinementRegions>> regions,
+                                         double cell_size);
+
+}  // namespace biotope

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/base/grid.hpp"
+#include "core/base/paint.hpp"
+#include "core/base/status.hpp"
+#include "core/base/task_context.hpp"
+#include "core/climate/environment.hpp"
+#include "core/ecosystem/cover.hpp"
+#include "core/ecosystem/fitness.hpp"
+#include "core/species/species_library.hpp"
+
+namespace biotope {
+
+/// What plants feel: computed maps with a person's paint on the yearly mean of a resource. Paint shifts all months alike
+/// (month + coverage * (value - mean)), so the seasons stay; null where nothing is painted.
+struct PlantEnvironment {
+  std::shared_ptr<const EnvironmentMaps> maps;
+  std::array<std::shared_ptr<const PaintLayer>, monthly_resources> paint;
+
+  /// The twelve months of every resource at a cell, paint included, each clamped to 1..9.
+  [[nodiscard]] CellEnvironment cell(int x, int y) const;
+};
+
+/// Competition of the plants of `web` in the cells of one tile, each cell by itself (paper algorithm 2): in every stratum from the tallest
+/// down, repeatedly one unit of cover to the fittest species whose needs are still available. What a unit takes of light and water shifts
+/// the index of every month for all that come after; a stratum's ground is shared (its covers sum to at most 1), and a species crowds
+/// itself: its fitness is never more than the ground it has not yet taken, 1 - cover. Ties go to species order.
+/// `out[i]` receives plant i of web.levels[0]. Does not depend on the tile's borders.
+void compete_in_tile(const FoodWeb& web, const PlantEnvironment& environment, const Rect& tile_rect,
+                     std::span<CoverMap::Tile* const> out);
+
+/// All tiles of compete_in_tile in parallel.
+[[nodiscard]] Result<std::vector<CoverMap>> compete_without_proportions(const FoodWeb& web,
+                                                                        const PlantEnvironment& environment,
+                                                                        const TaskContext& context = {});
+
+/// Competition over the whole terrain that keeps to desired shares of cover (paper algorithm 1): repeatedly the species whose unit brings
+/// the level closest to the target (squared error) is placed in its fittest cell that can still feed it; a species that can no longer be placed
+/// drops out and the others go on. `desired` sums to 1 over web.levels[0].
+[[nodiscard]] Result<std::vector<CoverMap>> compete_with_proportions(const FoodWeb& web,
+                                                                     const PlantEnvironment& environment,
+                                                                     std::span<const double> desired,
+                                                                     const TaskContext& context = {});
+
+/// Fitness before competition of a plant in every cell. Parallel.
+[[nodiscard]] Grid<float> fitness_map(const PlantTraits& plant, const PlantEnvironment& environment);
+
+/// Shares of the level's cover, one per map; zeros when all are empty.
+[[nodiscard]] std::vector<double> achieved_shares(std::span<const CoverMap> covers);
+
+}  // namespace biotope

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/base/grid.hpp"
+#include "core/base/rect.hpp"
+
+namespace biotope {
+
+enum class NodeKind : std::uint8_t { bank, vegetation, prey };
+
+/// An amount of one species that a node offers.
+struct ResourceQuantity {
+  int species = 0;               ///< number in the food web
+  double kilograms_per_year = 0;  ///< yearly growth within the node, before anybody eats
+};
+
+/// A node of the graph: one contiguous area where resources of a level are found (paper section 5).
+struct ResourceNode {
+  NodeKind kind = NodeKind::vegetation;
+  /// Stratum of vegetation, or the prey's species number; 0 for banks.
+  int group = 0;
+  double area = 0;  ///< m2
+  std::size_t cells = 0;
+  Rect bounds;
+  /// Mean position of the area's cells, in cells.
+  float centroid_x = 0;
+  float centroid_y = 0;
+  /// The passable cell of the area nearest to the centroid.
+  int x = 0;
+  int y = 0;
+  /// Piece of the level's partition that holds the node.
+  int piece = -1;
+  std::vector<ResourceQuantity> quantities;
+  /// For prey: the region of the prey species this node stands for.
+  int prey_region = -1;
+  /// Hierarchical edges: nodes of the level below that this node was built from (empty on the first animal level, whose
+  /// nodes are built from the cells of level 0 themselves).
+  std::vector<int> built_from;
+};
+
+/// A directed edge: `species` walks from one node to another in `seconds`.
+struct SpatialEdge {
+  int from = 0;
+  int to = 0;
+  int species = 0;
+  float seconds = 0;
+};
+
+/// One level of the Resource Access Graph: resources for the species of that level.
+struct GraphLevel {
+  int level = 1;
+  std::vector<ResourceNode> nodes;
+  std::vector<SpatialEdge> edges;
+  /// Node of each cell, -1 where none: one grid a kind of ground resource, indexed by stratum; [3] are the banks.
+  std::array<std::shared_ptr<const Grid<std::int32_t>>, 4> node_of_cell;
+};
+
+/// All levels; levels[0] stands for the cells (a node a cell, no list), levels[i] for food-chain level i.
+struct ResourceAccessGraph {
+  std::vector<GraphLevel> levels;
+};
+
+}  // namespace biotope

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/base/status.hpp"
+#include "core/base/task_context.hpp"
+#include "core/movement/trails.hpp"
+
+namespace biotope {
+
+/// A stay at a resource node.
+struct PlanStop {
+  int node = 0;
+  float arrive = 0;  ///< hours, 0..24 (may pass 24 for night-active species; taken modulo 24)
+  float leave = 0;
+};
+
+/// What a herd does in a day; a pure value.
+struct DailyPlan {
+  int level = 1;
+  int herd = 0;     ///< index in the level's herds
+  int species = 0;  ///< number in the food web
+  int size = 0;     ///< individuals
+  /// Index of the plan this predator follows, -1 otherwise.
+  int followed = -1;
+  std::vector<PlanStop> stops;
+  /// Way of the whole day as timed points, hours ascending from the first stop, closed over 24 h.
+  struct Waypoint {
+    float hour = 0;
+    PathPoint at;
+  };
+  std::vector<Waypoint> way;
+};
+
+enum class HerdActivity : std::uint8_t { resting, drinking, feeding, walking, hunting };
+
+/// Where a herd is.
+struct HerdState {
+  PathPoint at;        ///< cell coordinates
+  float heading = 0;   ///< radians clockwise from north
+  float speed = 0;     ///< m/s
+  HerdActivity activity = HerdActivity::resting;
+};
+
+/// Plans of every herd (paper algorithm 3): mandatory resources first, capacities, stays from needs and quantities, active hours; predators follow
+/// herds of the level below. Deterministic in `seed`.
+[[nodiscard]] Result<std::vector<DailyPlan>> compute_daily_plans(const FoodWeb& web,
+                                                                 std::span<const std::shared_ptr<const AnimalLevel>> levels,
+                                                                 std::span<const LevelMovement> movement, const Ground& ground,
+                                                                 std::uint64_t seed, const TaskContext& context = {});
+
+/// State at an hour (any real number; taken modulo 24): a pure function of (plan, hour).
+[[nodiscard]] HerdState herd_state(const DailyPlan& plan, const GraphLevel& graph, double hour, double cell_size);
+
+}  // namespace biotope

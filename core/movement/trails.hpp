@@ -1,0 +1,76 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/grid.hpp"
+#include "core/base/status.hpp"
+#include "core/base/task_context.hpp"
+#include "core/ecosystem/animal_level.hpp"
+#include "core/movement/travel.hpp"
+
+namespace biotope {
+
+/// A point in cell coordinates (0, 0 is the centre of the north-west cell).
+struct PathPoint {
+  float x = 0;
+  float y = 0;
+};
+
+/// A worn trail: a smooth line with the yearly weight that walks along each of its points.
+struct TrailRoute {
+  std::vector<PathPoint> points;
+  /// kg x trips per year at each point.
+  std::vector<float> weight;
+  double length = 0;  ///< m
+};
+
+/// Trails of all species together, and what they do to the ground.
+struct TrailNetwork {
+  std::vector<TrailRoute> routes;
+  /// Worn fraction of each cell, 0..1: clears vegetation; 1 on the most used trails.
+  Grid<float> wear;
+  /// Metres the ground is carved, >= 0; a derived map, the terrain itself is never changed.
+  Grid<float> carving;
+  double total_length() const {
+    double sum = 0;
+    for (const auto& route : routes) sum += route.length;
+    return sum;
+  }
+};
+
+/// Travel between the resources of one level, per species of the level.
+struct LevelTravel {
+  /// Distinct mobilities of the level and the graph of each.
+  std::vector<std::shared_ptr<const TravelGraph>> graphs;
+  /// Graph of each species of the level.
+  std::vector<int> graph_of_species;
+  /// Vertex of each resource node in each graph, -1 where the species cannot stand there.
+  std::vector<std::vector<std::int32_t>> vertex_of_node;
+  /// Field from each resource node in each graph; empty where the node has no vertex.
+  std::vector<std::vector<TravelField>> fields;
+  /// P_s(v): probability of presence at each node, by species and region of that species (paper eq. 1): pairs {node, probability}.
+  struct Presence {
+    int node = 0;
+    float probability = 0;
+  };
+  std::vector<std::vector<std::vector<Presence>>> presence;
+};
+
+/// Travel graphs, fields and presence of a level, and its spatial edges (directed, in seconds).
+struct LevelMovement {
+  std::shared_ptr<const LevelTravel> travel;
+  std::vector<SpatialEdge> edges;
+};
+[[nodiscard]] Result<LevelMovement> compute_level_movement(const FoodWeb& web, const AnimalLevel& level, const Ground& ground,
+                                                           const TaskContext& context = {});
+
+/// Trails worn by all levels (paper section 6.1, eqs. 1-3): weights accumulate on shared ground, routes are taken from the most used outwards,
+/// refined on the full grid and smoothed by splines that never enter a cell blocked for the species that walk there.
+[[nodiscard]] Result<TrailNetwork> compute_trails(const FoodWeb& web, std::span<const std::shared_ptr<const AnimalLevel>> levels,
+                                                  std::span<const LevelMovement> movement, const Ground& ground,
+                                                  const TaskContext& context = {});
+
+}  // namespace biotope

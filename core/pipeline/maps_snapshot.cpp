@@ -1,0 +1,11 @@
+#include "core/pipeline/maps_snapshot.hpp"
+
+namespace biotope {
+
+PlantEnvironment MapsSnapshot::plant_environment() const {
+  return {environment,
+          {paint({LayerKind::resource, "illumination"}), paint({LayerKind::resource, "temperature"}),
+           paint({LayerKind::resource, "moisture"})}};
+}
+
+}  // namespace biotope

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/status.hpp"
+#include "core/climate/environment.hpp"
+#include "core/document/document.hpp"
+#include "core/ecosystem/animal_level.hpp"
+#include "core/ecosystem/plant_competition.hpp"
+#include "core/movement/daily_plan.hpp"
+#include "core/movement/trails.hpp"
+#include "core/species/species_library.hpp"
+#include "core/terrain/derivatives.hpp"
+#include "core/terrain/hydrology.hpp"
+
+namespace biotope {
+
+/// Everything that follows from a Document: immutable, made by the pipeline, only read by render, ui and exchange. Parts that did not change
+/// are the same pointers as in the snapshot before. Null members are not computed yet.
+struct MapsSnapshot {
+  /// Counts published snapshots, from 1.
+  std::uint64_t revision = 0;
+  /// Counts the document's changes this snapshot answers.
+  std::uint64_t document_revision = 0;
+  /// False while later stages are still to come.
+  bool complete = false;
+  /// A failure with the stage's name; the maps are then the last good ones.
+  Status status;
+
+  Document document;
+  std::shared_ptr<const FoodWeb> web;
+  std::shared_ptr<const Derivatives> derivatives;
+  std::shared_ptr<const Hydrology> hydrology;
+  std::shared_ptr<const EnvironmentMaps> environment;
+  /// Plants of web->levels[0] as competition made them, and with paint.
+  std::vector<std::shared_ptr<const CoverMap>> computed_cover;
+  std::vector<std::shared_ptr<const CoverMap>> cover;
+  std::vector<double> plant_desired;
+  std::vector<double> plant_achieved;
+  std::shared_ptr<const Grid<Cover>> tree_cover;
+  /// Animal levels 1, 2, ...
+  std::vector<std::shared_ptr<const AnimalLevel>> animals;
+  std::vector<LevelMovement> movement;
+  std::shared_ptr<const ResourceAccessGraph> graph;
+  std::shared_ptr<const TrailNetwork> trails;
+  std::shared_ptr<const std::vector<DailyPlan>> plans;
+
+  std::vector<std::string> warnings;
+  /// Milliseconds by stage of the run that made this snapshot.
+  std::vector<std::pair<std::string, double>> timings;
+
+  [[nodiscard]] const Terrain& terrain() const { return *document.terrain; }
+  /// Paint over a map, or null.
+  [[nodiscard]] std::shared_ptr<const PaintLayer> paint(const LayerId& layer) const {
+    const auto found = document.layers.find(layer);
+    return found == document.layers.end() ? nullptr : found->second;
+  }
+  /// What plants feel: environment with paint.
+  [[nodiscard]] PlantEnvironment plant_environment() const;
+  /// Ground as animals meet it.
+  [[nodiscard]] Ground ground() const { return {document.terrain, derivatives, hydrology, tree_cover}; }
+};
+
+}  // namespace biotope

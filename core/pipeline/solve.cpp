@@ -1,0 +1,274 @@
+#include "core/pipeline/solve.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/pipeline/solve_stages.hpp"
+#include "core/pipeline/stage_clock.hpp"
+
+namespace biotope {
+
+SolveCache::SolveCache() : stages_(std::make_unique<Stages>()) {}
+SolveCache::~SolveCache() = default;
+SolveCache::SolveCache(SolveCache&&) noexcept = default;
+SolveCache& SolveCache::operator=(SolveCache&&) noexcept = default;
+
+namespace {
+
+/// One run over the operators, in topological order.
+class Run {
+ public:
+  Run(const Document& document, SolveCache::Stages& stages, const TaskContext& context, const PublishPartial& publish)
+      : document_(document), stages_(stages), context_(context), publish_(publish), maps_(std::make_shared<MapsSnapshot>()) {
+    maps_->document = document;
+  }
+
+  Result<std::shared_ptr<const MapsSnapshot>> all() {
+    for (const auto& [name, step] : steps()) {
+      if (context_.stopped()) return fail(stopped_message);
+      clock_.begin(name);
+      context_.report(name, 0);
+      const Status done = (this->*step)();
+      if (context_.stopped()) return fail(stopped_message);
+      if (!done) return fail("While computing " + name + ": " + done.error().message);
+      publish_partial();
+    }
+    clock_.end();
+    maps_->timings = clock_.timings();
+    maps_->complete = true;
+    return std::shared_ptr<const MapsSnapshot>(std::make_shared<MapsSnapshot>(*maps_));
+  }
+
+ private:
+  using Step = Status (Run::*)();
+  static std::vector<std::pair<std::string, Step>> steps() {
+    return {{"species", &Run::species},         {"slopes", &Run::slopes},   {"water", &Run::water},
+            {"environment", &Run::environment}, {"plants", &Run::plants},   {"animals", &Run::animals},
+            {"travel", &Run::travel},           {"trails", &Run::trails},   {"daily plans", &Run::daily_plans}};
+  }
+
+  void publish_partial() {
+    if (!publish_ || !maps_->hydrology) return;
+    publish_(std::make_shared<MapsSnapshot>(*maps_));
+  }
+
+  template <class T>
+  static Status keep(std::shared_ptr<const T>& slot, Result<std::shared_ptr<const T>> made) {
+    if (!made) return tl::unexpected<Error>(made.error());
+    slot = *made;
+    return {};
+  }
+
+  Status species();
+  Status slopes();
+  Status water();
+  Status environment();
+  Status plants();
+  Status animals();
+  Status animal_level(std::size_t index);
+  Status travel();
+  Status trails();
+  Status daily_plans();
+
+  [[nodiscard]] std::vector<double> desired(int level) const {
+    const auto use = document_.use_proportions.find(level);
+    if (use != document_.use_proportions.end() && !use->second) return {};
+    return desired_proportions(*maps_->web, level, document_.climate.name);
+  }
+  [[nodiscard]] InputPointers level_pointers() const {
+    InputPointers inputs{biology_, document_.terrain, maps_->derivatives, maps_->hydrology, maps_->tree_cover};
+    inputs.insert(inputs.end(), maps_->animals.begin(), maps_->animals.end());
+    return inputs;
+  }
+
+  const Document& document_;
+  SolveCache::Stages& stages_;
+  const TaskContext& context_;
+  const PublishPartial& publish_;
+  std::shared_ptr<MapsSnapshot> maps_;
+  std::shared_ptr<const FoodWeb> biology_;
+  StageClock clock_;
+};
+
+/// The species without their desired shares.
+std::vector<Species> without_shares(std::vector<Species> species) {
+  for (Species& one : species) one.proportions.clear();
+  return species;
+}
+
+Status Run::species() {
+  auto web = build_food_web(*document_.species);
+  if (!web) return tl::unexpected<Error>(web.error());
+  maps_->web = std::make_shared<const FoodWeb>(std::move(*web));
+  FoodWeb biology = *maps_->web;
+  biology.species = without_shares(std::move(biology.species));
+  if (!stages_.biology || stages_.biology->species != biology.species) {
+    stages_.biology = std::make_shared<const FoodWeb>(std::move(biology));
+    stages_.plants = {};
+    stages_.covers.clear();
+  }
+  biology_ = stages_.biology;
+  return {};
+}
+
+Status Run::slopes() {
+  return keep(maps_->derivatives, stages_.derivatives.get({document_.terrain}, [&]() -> Result<Derivatives> {
+    return compute_derivatives(*document_.terrain);
+  }));
+}
+
+double mean_height(const Terrain& terrain) {
+  double sum = 0;
+  for (const float height : terrain.height.cells()) sum += height;
+  return terrain.height.empty() ? 0 : sum / double(terrain.height.size());
+}
+
+Status Run::water() {
+  HydrologyOptions options;
+  options.inflows = document_.inflows;
+  options.runoff = yearly_runoff(document_.climate, document_.terrain->latitude, mean_height(*document_.terrain));
+  std::vector<std::array<double, 3>> inflows;
+  for (const Inflow& inflow : options.inflows) {
+    inflows.push_back({double(inflow.x), double(inflow.y), inflow.catchment_area});
+  }
+  return keep(maps_->hydrology, stages_.hydrology.get({{document_.terrain}, inflows, options.runoff}, [&] {
+    return compute_hydrology(*document_.terrain, options, context_);
+  }));
+}
+
+/// Puts the maps a person gave in the place of computed ones.
+EnvironmentMaps with_given(EnvironmentMaps maps, const GivenEnvironment& given) {
+  for (std::size_t r = 0; r < monthly_resources; ++r) {
+    if (given.monthly[r].empty()) continue;
+    maps.monthly[r].layers = given.monthly[r];
+    maps.monthly[r].offset = {};
+  }
+  if (given.geology) maps.geology = given.geology;
+  return maps;
+}
+
+Status Run::environment() {
+  InputPointers inputs{document_.terrain, maps_->derivatives, maps_->hydrology, document_.given_environment.geology};
+  for (const auto& layers : document_.given_environment.monthly) inputs.insert(inputs.end(), layers.begin(), layers.end());
+  return keep(maps_->environment, stages_.environment.get({inputs, document_.climate}, [&]() -> Result<EnvironmentMaps> {
+    auto maps = compute_environment(*document_.terrain, *maps_->derivatives, *maps_->hydrology, document_.climate, context_);
+    if (!maps) return maps;
+    return with_given(std::move(*maps), document_.given_environment);
+  }));
+}
+
+Status Run::plants() {
+  const FoodWeb& web = *maps_->web;
+  const auto& level = web.levels.front();
+  maps_->plant_desired = desired(0);
+  if (Status done = update_plants(stages_.plants, *biology_, maps_->plant_environment(), maps_->plant_desired, context_); !done) {
+    return done;
+  }
+  stages_.covers.resize(level.size());
+  std::vector<std::shared_ptr<const CoverMap>> trees;
+  for (std::size_t i = 0; i < level.size(); ++i) {
+    const Species& plant = web.species[std::size_t(level[i])];
+    update_painted_cover(stages_.covers[i], stages_.plants.covers[i], maps_->paint({LayerKind::plant_density, plant.name}));
+    maps_->computed_cover.push_back(stages_.plants.covers[i]);
+    maps_->cover.push_back(stages_.covers[i].cover);
+    if (plant.plant().stratum == Stratum::tree) trees.push_back(stages_.covers[i].cover);
+  }
+  const auto& height = document_.terrain->height;
+  update_tree_cover(stages_.tree_cover, std::move(trees), height.width(), height.height());
+  maps_->tree_cover = stages_.tree_cover.cover;
+  std::vector<CoverMap> shown;
+  for (const auto& cover : maps_->cover) shown.push_back(*cover);
+  maps_->plant_achieved = achieved_shares(shown);
+  return {};
+}
+
+Status Run::animal_level(std::size_t index) {
+  const int number = int(index) + 1;
+  AnimalLevelInput input{*maps_->web, number, maps_->ground(), maps_->cover, maps_->animals, desired(number), {}, document_.seed};
+  InputPointers inputs = level_pointers();
+  inputs.insert(inputs.end(), maps_->cover.begin(), maps_->cover.end());
+  for (const int s : maps_->web->levels[index + 1]) {
+    input.paint.push_back(maps_->paint({LayerKind::animal_density, maps_->web->species[std::size_t(s)].name}));
+    inputs.push_back(input.paint.back());
+  }
+  auto level = stages_.levels[index].get({inputs, input.desired, input.seed}, [&] { return compute_animal_level(input, context_); });
+  if (!level) return tl::unexpected<Error>(level.error());
+  maps_->animals.push_back(*level);
+  maps_->warnings.insert(maps_->warnings.end(), (*level)->warnings.begin(), (*level)->warnings.end());
+  publish_partial();
+  return {};
+}
+
+Status Run::animals() {
+  const std::size_t count = maps_->web->levels.size() - 1;
+  stages_.levels.resize(count);
+  stages_.movement.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    context_.report("animals", double(i) / double(count));
+    if (Status done = animal_level(i); !done) return done;
+    if (context_.stopped()) return fail(stopped_message);
+  }
+  return {};
+}
+
+/// Levels of the graph with the spatial edges that movement found.
+ResourceAccessGraph assembled_graph(const MapsSnapshot& maps) {
+  ResourceAccessGraph graph;
+  graph.levels.push_back({0, {}, {}, {}});
+  for (std::size_t i = 0; i < maps.animals.size(); ++i) {
+    graph.levels.push_back(*maps.animals[i]->graph);
+    graph.levels.back().edges = maps.movement[i].edges;
+  }
+  return graph;
+}
+
+Status Run::travel() {
+  InputPointers all;
+  for (std::size_t i = 0; i < maps_->animals.size(); ++i) {
+    context_.report("travel", double(i) / double(maps_->animals.size()));
+    const InputPointers inputs{biology_, maps_->animals[i], document_.terrain, maps_->derivatives, maps_->hydrology, maps_->tree_cover};
+    auto movement = stages_.movement[i].get(inputs, [&] {
+      return compute_level_movement(*maps_->web, *maps_->animals[i], maps_->ground(), context_);
+    });
+    if (!movement) return tl::unexpected<Error>(movement.error());
+    maps_->movement.push_back(**movement);
+    all.push_back(*movement);
+    if (context_.stopped()) return fail(stopped_message);
+  }
+  return keep(maps_->graph, stages_.graph.get(all, [&]() -> Result<ResourceAccessGraph> { return assembled_graph(*maps_); }));
+}
+
+Status Run::trails() {
+  InputPointers inputs = level_pointers();
+  inputs.push_back(maps_->graph);
+  return keep(maps_->trails, stages_.trails.get(inputs, [&] {
+    return compute_trails(*maps_->web, maps_->animals, maps_->movement, maps_->ground(), context_);
+  }));
+}
+
+Status Run::daily_plans() {
+  InputPointers inputs = level_pointers();
+  inputs.push_back(maps_->graph);
+  return keep(maps_->plans, stages_.plans.get({inputs, document_.seed}, [&] {
+    return compute_daily_plans(*maps_->web, maps_->animals, maps_->movement, maps_->ground(), document_.seed, context_);
+  }));
+}
+
+Status check_inputs(const Document& document) {
+  if (!document.terrain || document.terrain->height.width() < 2 || document.terrain->height.height() < 2) {
+    return fail("There is no terrain to compute on: open a DEM, a scene or a sample (at least 2 x 2 cells).");
+  }
+  if (!document.species || document.species->empty()) return fail("There are no species: open a species file or take the default one.");
+  return {};
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const MapsSnapshot>> solve(const Document& document, SolveCache* cache, const TaskContext& context,
+                                                  const PublishPartial& publish) {
+  if (const Status usable = check_inputs(document); !usable) return tl::unexpected<Error>(usable.error());
+  SolveCache own;
+  return Run(document, (cache ? *cache : own).stages(), context, publish).all();
+}
+
+}  // namespace biotope

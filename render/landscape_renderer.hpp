@@ -1,0 +1,70 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/status.hpp"
+#include "core/pipeline/maps_snapshot.hpp"
+#include "render/camera.hpp"
+
+namespace biotope {
+
+/// How the 3D view is drawn.
+struct LandscapeOptions {
+  double hour = 10.5;  ///< local solar time
+  int month = 5;       ///< 0 is January; default: early summer, late morning
+  bool plants = true;
+  bool animals = true;
+  bool trails = true;
+  bool water = true;
+  /// Multiplies distances and counts of plants: 0.5 low, 1 medium, 2 high.
+  float quality = 1;
+  /// Per species number of the web: false hides it. Empty shows all.
+  std::vector<bool> visible_species;
+  /// Brush ring on the ground: cell x, y, radius in cells.
+  std::optional<glm::vec3> brush;
+};
+
+struct LandscapeStatistics {
+  int draw_calls = 0;
+  std::size_t triangles = 0;
+  std::size_t plants = 0;
+  std::size_t animals = 0;
+  std::size_t instance_bytes = 0;
+};
+
+/// Draws a MapsSnapshot in 3D: terrain, water, sky, trails, instanced procedural plants with level of detail, herds at their place on the clock.
+/// Owns its OpenGL objects; needs a current OpenGL 4.5 core context for its whole life. Draws only; changes nothing in the model.
+class LandscapeRenderer {
+ public:
+  [[nodiscard]] static Result<std::unique_ptr<LandscapeRenderer>> create();
+  ~LandscapeRenderer();
+  LandscapeRenderer(const LandscapeRenderer&) = delete;
+  LandscapeRenderer& operator=(const LandscapeRenderer&) = delete;
+
+  /// Takes a newer snapshot; uploads only what changed (pointers differ).
+  void set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot);
+  /// Draws into the framebuffer bound now, over width x height pixels.
+  void draw(const Camera& camera, const LandscapeOptions& options, int width, int height);
+  [[nodiscard]] const LandscapeStatistics& statistics() const;
+
+ private:
+  LandscapeRenderer();
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Height of the ground at metres (x east, y north of the south-west corner), bilinear.
+[[nodiscard]] float ground_height(const Terrain& terrain, double x, double y);
+
+/// Where a ray from `origin` along `direction` first meets the ground within `reach` metres.
+[[nodiscard]] std::optional<glm::dvec3> pick_ground(const Terrain& terrain, const glm::dvec3& origin,
+                                                    const glm::vec3& direction, double reach = 20000);
+
+/// A good first view of a landscape: near water, looking along the valley, at a few metres above the ground.
+[[nodiscard]] Camera first_view(const MapsSnapshot& snapshot);
+/// A view of the whole landscape from above, at an angle.
+[[nodiscard]] Camera overview(const MapsSnapshot& snapshot);
+
+}  // namespace biotope

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/status.hpp"
+#include "core/pipeline/maps_snapshot.hpp"
+
+namespace biotope {
+
+/// Which part of the map fills the view.
+struct MapView {
+  double centre_x = 0;    ///< cells
+  double centre_y = 0;
+  double pixels_per_cell = 1;
+};
+
+enum class ColourMap : int { viridis, greens, browns, blues, inferno, diverging, categorical };
+
+/// One map over the terrain.
+struct MapOverlay {
+  /// Cells to show; the pointer's identity decides whether to upload again.
+  std::shared_ptr<const Grid<float>> cells;
+  float low = 0;
+  float high = 1;
+  ColourMap colours = ColourMap::viridis;
+  float opacity = 0.85F;
+  /// Values at or below this are left clear (NaN: nothing is).
+  float clear_below = 0;
+};
+
+/// What is drawn on the 2D map.
+struct MapOptions {
+  MapView view;
+  std::optional<MapOverlay> overlay;
+  bool water = true;
+  bool contours = true;
+  bool trails = true;
+  bool herds = true;
+  double hour = 10.5;
+  /// Paint to hatch; null for none.
+  std::shared_ptr<const PaintLayer> hatched;
+  std::vector<bool> visible_species;
+  bool dark = true;
+};
+
+/// Draws the 2D map with OpenGL: hill-shaded terrain, water, overlay, contours, trails, herds. Needs a current OpenGL 4.5 core context.
+class MapRenderer {
+ public:
+  [[nodiscard]] static Result<std::unique_ptr<MapRenderer>> create();
+  ~MapRenderer();
+  MapRenderer(const MapRenderer&) = delete;
+  MapRenderer& operator=(const MapRenderer&) = delete;
+
+  void set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot);
+  /// Draws into the framebuffer bound now, over width x height pixels.
+  void draw(const MapOptions& options, int width, int height);
+
+ private:
+  MapRenderer();
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Colour of `t` in 0..1, for legends.
+[[nodiscard]] std::array<float, 3> colour_of(ColourMap map, float t);
+
+}  // namespace biotope
