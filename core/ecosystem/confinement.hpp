@@ -17,6 +17,8 @@ namespace biotope {
 /// Regions smaller than this hold nobody, m2.
 inline constexpr double minimum_region_area = 10000;
 
+/// The same in cells, at least one: on coarse grids a cell is enough.
+[[nodiscard]] std::size_t minimum_region_cells(double cell_size);
 
 /// The ground as animals meet it.
 struct Ground {
@@ -37,7 +39,15 @@ struct Mobility {
 };
 [[nodiscard]] Mobility mobility_of(const AnimalTraits& animal);
 
-/// Cells steeper than the limit, water deeper than it wades (unless within a ford), tree cover denser than it pushes through.
+/// Obstacles do not depend on how slopes tire an animal.
+[[nodiscard]] bool same_obstacles(const Mobility& a, const Mobility& b);
+
+/// What keeps an animal out of a cell; the first that applies.
+enum class Obstacle : std::uint8_t { none, slope, deep_water, trees };
+[[nodiscard]] Obstacle obstacle_at(const Ground& ground, const Mobility& mobility, int x, int y);
+
+/// Cells steeper than the limit, water deeper than it wades (unless within a ford), tree cover denser than it pushes through. A ford opens a
+/// disk as wide as its river, so that a corridor reaches from bank to bank.
 [[nodiscard]] Grid<std::uint8_t> blocked_cells(const Ground& ground, const Mobility& mobility);
 
 /// Connected components (4-neighbours) of passable cells.
@@ -52,6 +62,8 @@ struct ConfinementRegions {
   std::vector<Region> regions;
 };
 [[nodiscard]] ConfinementRegions confinement_regions(const Grid<std::uint8_t>& blocked, double cell_size);
+/// The same straight from the ground, without the grid between.
+[[nodiscard]] ConfinementRegions confinement_regions(const Ground& ground, const Mobility& mobility);
 
 /// The finest common partition of several species' regions: two cells are in one piece when every species has them in the same region.
 struct Partition {
@@ -60,7 +72,7 @@ struct Partition {
   struct Piece {
     std::size_t cells = 0;
     double area = 0;
-    /// Region of each species (order of the regions passed in), -1 where that species cannot be.
+    /// Region of each species (order of the regions passed in), -1 where that species cannot be. Pieces are numbered by their first cell in row order.
     std::vector<int> region;
   };
   std::vector<Piece> pieces;

@@ -9,6 +9,12 @@
 
 namespace biotope {
 
+/// A plant does not settle where its fitness is less than this: under an hour of the year (our choice).
+inline constexpr float least_fitness = 1e-4F;
+
+/// Slope, in 1 / index, that stands for an interval of zero length: steep enough to be a step for any two distinct indices.
+inline constexpr float point_slope = 1e30F;
+
 /// What can limit a plant.
 enum class LimitingFactor : std::uint8_t { none, illumination, temperature, moisture, texture, geology };
 [[nodiscard]] std::string_view to_string(LimitingFactor factor);
@@ -29,7 +35,8 @@ struct Fitness {
   LimitingFactor limiting = LimitingFactor::none;
 };
 
-/// Fitness of a plant at a cell: the minimum over its resources, with the resource that attains it (first on ties).
+/// Fitness of a plant at a cell: the minimum over its resources, with the resource that attains it (first on ties; none where
+/// every resource is perfect). Texture is one value a year: 1 inside the range, 0 outside. Geology gives its viability.
 [[nodiscard]] Fitness plant_fitness(const PlantTraits& plant, const CellEnvironment& cell);
 
 }  // namespace biotope

@@ -21,7 +21,10 @@ struct PlantEnvironment {
   std::shared_ptr<const EnvironmentMaps> maps;
   std::array<std::shared_ptr<const PaintLayer>, monthly_resources> paint;
 
-  /// The twelve months of every resource at a cell, paint included, each clamped to 1..9.
+  /// The twelve months of a resource at a cell, paint included, each clamped to 1..9.
+  [[nodiscard]] std::array<float, months> year(Resource resource, int x, int y) const;
+
+  /// The twelve months of every resource at a cell.
   [[nodiscard]] CellEnvironment cell(int x, int y) const;
 };
 

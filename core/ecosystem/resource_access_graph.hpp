@@ -16,6 +16,7 @@ enum class NodeKind : std::uint8_t { bank, vegetation, prey };
 struct ResourceQuantity {
   int species = 0;               ///< number in the food web
   double kilograms_per_year = 0;  ///< yearly growth within the node, before anybody eats
+  double available = 0;           ///< what the levels below left of it, kg per year
 };
 
 /// A node of the graph: one contiguous area where resources of a level are found (paper section 5).
@@ -37,8 +38,8 @@ struct ResourceNode {
   std::vector<ResourceQuantity> quantities;
   /// For prey: the region of the prey species this node stands for.
   int prey_region = -1;
-  /// Hierarchical edges: nodes of the level below that this node was built from (empty on the first animal level, whose
-  /// nodes are built from the cells of level 0 themselves).
+  /// Hierarchical edges of a prey node: the nodes of the prey's own level in the prey's region. Empty for banks and vegetation,
+  /// which are built from the cells of level 0 themselves.
   std::vector<int> built_from;
 };
 
@@ -55,7 +56,7 @@ struct GraphLevel {
   int level = 1;
   std::vector<ResourceNode> nodes;
   std::vector<SpatialEdge> edges;
-  /// Node of each cell, -1 where none: one grid a kind of ground resource, indexed by stratum; [3] are the banks.
+  /// Node of each cell, -1 where none: one grid a kind of ground resource, indexed by stratum; [3] are the banks. Never null.
   std::array<std::shared_ptr<const Grid<std::int32_t>>, 4> node_of_cell;
 };
 

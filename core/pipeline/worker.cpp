@@ -156,6 +156,7 @@ void Worker::cancel() {
   const std::lock_guard lock(state_->mutex);
   state_->slot.reset();
   state_->run_stop.request_stop();
+  if (!state_->running) state_->progress = {};
 }
 
 std::shared_ptr<const MapsSnapshot> Worker::latest() const {

@@ -1,0 +1,174 @@
+#include "core/ecosystem/animal_level.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/base/parallel.hpp"
+#include "core/ecosystem/animal_competition.hpp"
+#include "core/ecosystem/animal_paint.hpp"
+#include "core/ecosystem/animal_warnings.hpp"
+#include "core/ecosystem/herds.hpp"
+#include "core/ecosystem/resource_nodes.hpp"
+
+namespace biotope {
+namespace {
+
+const AnimalTraits& traits(const FoodWeb& web, int species) { return web.species[std::size_t(species)].animal(); }
+
+/// Regions of a level below with the same obstacles, or null.
+std::shared_ptr<const ConfinementRegions> known_regions(const AnimalLevelInput& input, const Mobility& mobility) {
+  for (const auto& below : input.below) {
+    for (std::size_t i = 0; i < below->species.size(); ++i) {
+      if (same_obstacles(mobility, mobility_of(traits(input.web, below->species[i])))) return below->regions[i];
+    }
+  }
+  return nullptr;
+}
+
+/// One map of regions for every kind of obstacles, shared by the species that meet the same.
+void find_regions(const AnimalLevelInput& input, AnimalLevel& level) {
+  std::vector<Mobility> kinds;
+  std::vector<std::size_t> kind_of_species;
+  for (const int species : level.species) {
+    const Mobility mobility = mobility_of(traits(input.web, species));
+    const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const Mobility& kind) { return same_obstacles(kind, mobility); });
+    kind_of_species.push_back(std::size_t(found - kinds.begin()));
+    if (found == kinds.end()) kinds.push_back(mobility);
+  }
+  std::vector<std::shared_ptr<const ConfinementRegions>> maps(kinds.size());
+  parallel_each(kinds.size(), [&](std::size_t i) {
+    maps[i] = known_regions(input, kinds[i]);
+    if (!maps[i]) maps[i] = std::make_shared<const ConfinementRegions>(confinement_regions(input.ground, kinds[i]));
+  });
+  for (const std::size_t kind : kind_of_species) level.regions.push_back(maps[kind]);
+}
+
+std::vector<std::vector<double>> populations(const AnimalCompetition& competition, const AnimalLevel& level) {
+  std::vector<std::vector<double>> result;
+  for (const auto& regions : level.regions) result.emplace_back(regions->regions.size());
+  for (const Settlement& own : competition.settlements()) result[std::size_t(own.species_index)][std::size_t(own.region)] = own.population;
+  return result;
+}
+
+/// Lets the settlements eat for the populations that paint made: fewer animals give back their share, more eat of what is left; what is
+/// missing is recorded, the paint stays.
+void eat_as_painted(AnimalCompetition& competition, AnimalLevel& level, const FoodWeb& web, std::span<const PaintedPopulation> paint) {
+  const std::size_t count = competition.settlements().size();
+  std::vector<double> wanted(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Settlement& own = competition.settlements()[i];
+    wanted[i] = level.population[std::size_t(own.species_index)][std::size_t(own.region)];
+    if (wanted[i] < own.population) competition.give_back(i, 1 - wanted[i] / own.population);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const Settlement& own = competition.settlements()[i];
+    const double more = wanted[i] - own.population;
+    if (more <= 1e-9 * wanted[i]) continue;
+    const Meal meal = competition.plan_meal(i, more);
+    competition.eat(i, more, meal);
+    record_shortages(web, own, competition.needs(own.species_index), meal, paint[std::size_t(own.species_index)], level);
+  }
+}
+
+void apply_paint(const AnimalLevelInput& input, AnimalCompetition& competition, AnimalLevel& level) {
+  level.population = level.computed_population;
+  std::vector<PaintedPopulation> painted_populations(level.species.size());
+  bool any = false;
+  for (std::size_t i = 0; i < level.species.size(); ++i) {
+    if (i >= input.paint.size() || !input.paint[i]) continue;
+    any = true;
+    painted_populations[i] =
+        painted_population(*level.regions[i], level.computed_population[i], *input.paint[i], input.ground.terrain->cell_size);
+    level.population[i] = painted_populations[i].population;
+    warn_of_uninhabitable_paint(input.web, level.species[i], painted_populations[i], level);
+  }
+  if (any) eat_as_painted(competition, level, input.web, painted_populations);
+}
+
+void form_herds(const AnimalLevelInput& input, AnimalLevel& level) {
+  for (std::size_t i = 0; i < level.species.size(); ++i) {
+    const AnimalTraits& animal = traits(input.web, level.species[i]);
+    for (std::size_t region = 0; region < level.population[i].size(); ++region) {
+      const std::uint64_t place = (std::uint64_t(level.species[i]) << 32) | region;
+      const int individuals = int(std::lround(level.population[i][region]));
+      for (const int size : herd_sizes(individuals, animal.herd_min, animal.herd_max, input.seed, place)) {
+        level.herds.push_back({level.species[i], int(region), size});
+      }
+    }
+  }
+}
+
+std::vector<double> shares(const std::vector<std::vector<double>>& population) {
+  std::vector<double> result;
+  for (const auto& regions : population) result.push_back(std::accumulate(regions.begin(), regions.end(), 0.0));
+  const double total = std::accumulate(result.begin(), result.end(), 0.0);
+  for (double& share : result) share = total > 0 ? share / total : 0;
+  return result;
+}
+
+/// Desired shares of the level, normalised; empty when none is asked.
+std::vector<double> normalised(std::vector<double> desired) {
+  const double total = std::accumulate(desired.begin(), desired.end(), 0.0);
+  if (total <= 0) return {};
+  for (double& share : desired) share /= total;
+  return desired;
+}
+
+}  // namespace
+
+Result<AnimalLevel> compute_animal_level(const AnimalLevelInput& input, const TaskContext& context) {
+  assert(input.level >= 1 && input.level < input.web.level_count());
+  AnimalLevel level;
+  level.level = input.level;
+  level.species = input.web.levels[std::size_t(input.level)];
+  assert(input.desired.empty() || input.desired.size() == level.species.size());
+  level.desired = normalised(input.desired);
+
+  context.report("confinement regions", 0);
+  find_regions(input, level);
+  if (context.stopped()) return fail("stopped");
+  level.partition = std::make_shared<const Partition>(finest_partition(level.regions, input.ground.terrain->cell_size));
+
+  context.report("resource nodes", 0);
+  if (context.stopped()) return fail("stopped");
+  const ResourceSources sources{input.web, input.level, input.ground, *level.partition, input.plants, input.below};
+  level.graph = std::make_shared<const GraphLevel>(build_resource_nodes(sources, context));
+  if (context.stopped()) return fail("stopped");
+
+  context.report("animal competition", 0);
+  AnimalCompetition competition(input.web, level.species, *level.partition, level.regions, *level.graph);
+  const Status settled = level.desired.empty() ? settle_fittest(competition, *level.partition, context)
+                                               : settle_in_proportion(competition, level.desired, context);
+  if (!settled) return fail(settled.error().message);
+  level.computed_population = populations(competition, level);
+  warn_of_absent_species(input.web, level);
+  apply_paint(input, competition, level);
+  level.eaten = competition.eaten();
+  level.achieved = shares(level.population);
+  form_herds(input, level);
+  context.report("animal competition", 1);
+  return level;
+}
+
+Grid<float> animal_density(const AnimalLevel& level, int species_index, const PaintLayer* paint) {
+  const ConfinementRegions& regions = *level.regions[std::size_t(species_index)];
+  const auto& individuals = level.computed_population[std::size_t(species_index)];
+  std::vector<float> uniform;
+  for (std::size_t i = 0; i < individuals.size(); ++i) uniform.push_back(float(uniform_density(regions.regions[i], individuals[i])));
+  Grid<float> density(regions.label.width(), regions.label.height());
+  parallel_rows(0, density.height(), [&](int y) {
+    const auto label = regions.label.row(y);
+    const auto row = density.row(y);
+    std::vector<Paint> cells(paint != nullptr ? row.size() : 0);
+    if (paint != nullptr) paint->read_row(y, 0, cells);
+    for (std::size_t x = 0; x < row.size(); ++x) {
+      if (label[x] < 0) continue;
+      row[x] = uniform[std::size_t(label[x])];
+      if (paint != nullptr && cells[x].coverage > 0) row[x] = std::max(0.0F, painted(row[x], cells[x]));
+    }
+  });
+  return density;
+}
+
+}  // namespace biotope

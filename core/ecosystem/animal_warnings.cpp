@@ -1,0 +1,61 @@
+#include "core/ecosystem/animal_warnings.hpp"
+
+#include <cmath>
+#include <numeric>
+
+#include "core/ecosystem/animal_needs.hpp"
+
+namespace biotope {
+namespace {
+
+std::string near(int x, int y) { return "(near " + std::to_string(x) + ", " + std::to_string(y) + ")"; }
+
+/// Middle of the animals that paint added, or of the region.
+std::string place_text(const Settlement& place, const PaintedPopulation& paint, const AnimalLevel& level) {
+  const auto& added = paint.added[std::size_t(place.region)];
+  const Rect& bounds = level.regions[std::size_t(place.species_index)]->regions[std::size_t(place.region)].bounds;
+  const int x = added.individuals > 0 ? int(std::lround(added.sum_x / added.individuals)) : (bounds.x0 + bounds.x1) / 2;
+  const int y = added.individuals > 0 ? int(std::lround(added.sum_y / added.individuals)) : (bounds.y0 + bounds.y1) / 2;
+  return "in region " + std::to_string(place.region) + " " + near(x, y);
+}
+
+}  // namespace
+
+void record_shortages(const FoodWeb& web, const Settlement& place, std::span<const YearlyNeed> needs, const Meal& meal,
+                      const PaintedPopulation& paint, AnimalLevel& level) {
+  const int species = level.species[std::size_t(place.species_index)];
+  const std::string name = display_name(web, species);
+  if (!place.has_water) {
+    level.shortages.push_back({species, place.region, "water", 0});
+    level.warnings.push_back(name + ": no water to drink " + place_text(place, paint, level));
+  }
+  for (std::size_t i = 0; i < needs.size(); ++i) {
+    const double missing = meal.missing[i];
+    if (missing <= 0) continue;
+    level.shortages.push_back({species, place.region, needs[i].name, missing});
+    const double met = needs[i].kilograms * place.population - missing;
+    const double percent = met > 0 ? 100 * missing / met : 0;
+    const std::string amount = percent <= 0      ? "painted where no " + needs[i].name + " grows,"
+                               : percent <= 1000 ? number_text(percent) + " % more " + needs[i].name + " asked than grows"
+                                                 : number_text(missing) + " kg a year more " + needs[i].name + " asked than grows";
+    level.warnings.push_back(name + ": " + amount + " " + place_text(place, paint, level));
+  }
+}
+
+void warn_of_uninhabitable_paint(const FoodWeb& web, int species, const PaintedPopulation& paint, AnimalLevel& level) {
+  if (paint.uninhabitable_cells == 0) return;
+  level.warnings.push_back(display_name(web, species) + ": painted on " + std::to_string(paint.uninhabitable_cells) +
+                           (paint.uninhabitable_cells == 1 ? " cell" : " cells") + " that it cannot reach " +
+                           near(paint.uninhabitable_x, paint.uninhabitable_y));
+}
+
+void warn_of_absent_species(const FoodWeb& web, AnimalLevel& level) {
+  for (std::size_t i = 0; i < level.species.size(); ++i) {
+    const auto& regions = level.computed_population[i];
+    const bool asked = level.desired.empty() || level.desired[i] > 0;
+    if (!asked || std::accumulate(regions.begin(), regions.end(), 0.0) > 0) continue;
+    level.warnings.push_back(display_name(web, level.species[i]) + ": " + absence_reason(web, level, i));
+  }
+}
+
+}  // namespace biotope

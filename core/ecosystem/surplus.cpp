@@ -1,0 +1,134 @@
+#include "core/ecosystem/surplus.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <numeric>
+
+#include "core/base/parallel.hpp"
+#include "core/ecosystem/animal_paint.hpp"
+#include "core/ecosystem/resource_nodes.hpp"
+
+namespace biotope {
+namespace {
+
+/// A level that eats a plant: where its nodes are, and what share it leaves at each.
+struct PlantEater {
+  const Grid<std::int32_t>* node_of_cell = nullptr;
+  std::vector<float> left_of_node;
+};
+
+std::vector<PlantEater> eaters_of_plant(const FoodWeb& web, int plant, std::span<const std::shared_ptr<const AnimalLevel>> levels) {
+  std::vector<PlantEater> result;
+  const auto stratum = std::size_t(web.species[std::size_t(plant)].plant().stratum);
+  for (const auto& level : levels) {
+    const std::vector<double> share = eaten_share(*level, plant);
+    if (share.empty()) continue;
+    PlantEater eater{level->graph->node_of_cell[stratum].get(), {}};
+    for (const ResourceNode& node : level->graph->nodes) eater.left_of_node.push_back(float(1 - share[std::size_t(node.piece)]));
+    result.push_back(std::move(eater));
+  }
+  return result;
+}
+
+/// The level a species belongs to and its place there.
+struct Member {
+  const AnimalLevel* level = nullptr;
+  std::size_t index = 0;
+};
+
+Member member_of(int species, std::span<const std::shared_ptr<const AnimalLevel>> levels) {
+  for (const auto& level : levels) {
+    const auto found = std::find(level->species.begin(), level->species.end(), species);
+    if (found != level->species.end()) return {level.get(), std::size_t(found - level->species.begin())};
+  }
+  return {};
+}
+
+/// kg per year that the levels ate of an animal, by its region.
+std::vector<double> eaten_by_region(int species, std::size_t regions, std::span<const std::shared_ptr<const AnimalLevel>> levels) {
+  std::vector<double> eaten(regions);
+  for (const auto& level : levels) {
+    const std::vector<double> share = eaten_share(*level, species);
+    if (share.empty()) continue;
+    for (const ResourceNode& node : level->graph->nodes) {
+      if (node.kind != NodeKind::prey || node.group != species) continue;
+      eaten[std::size_t(node.prey_region)] += node.quantities.front().available * share[std::size_t(node.piece)];
+    }
+  }
+  return eaten;
+}
+
+}  // namespace
+
+Grid<float> plant_surplus(const FoodWeb& web, int plant, const CoverMap& cover, std::span<const std::shared_ptr<const AnimalLevel>> levels) {
+  const std::vector<PlantEater> eaters = eaters_of_plant(web, plant, levels);
+  const float growth = web.species[std::size_t(plant)].plant().growth;
+  Grid<float> surplus(cover.width(), cover.height());
+  parallel_rows(0, surplus.height(), [&](int y) {
+    const auto row = surplus.row(y);
+    std::vector<Cover> covered(row.size());
+    cover.read_row(y, 0, covered);
+    for (std::size_t x = 0; x < row.size(); ++x) row[x] = growth * cover_fraction(covered[x]);
+    for (const PlantEater& eater : eaters) {
+      const auto node = eater.node_of_cell->row(y);
+      for (std::size_t x = 0; x < row.size(); ++x) {
+        if (node[x] >= 0) row[x] *= eater.left_of_node[std::size_t(node[x])];
+      }
+    }
+  });
+  return surplus;
+}
+
+Grid<float> animal_surplus(const FoodWeb& web, int species, const AnimalLevel& own_level,
+                           std::span<const std::shared_ptr<const AnimalLevel>> levels) {
+  const auto found = std::find(own_level.species.begin(), own_level.species.end(), species);
+  assert(found != own_level.species.end());
+  const std::size_t index = std::size_t(found - own_level.species.begin());
+  const AnimalTraits& animal = web.species[std::size_t(species)].animal();
+  const ConfinementRegions& regions = *own_level.regions[index];
+  const std::vector<double> eaten = eaten_by_region(species, regions.regions.size(), levels);
+  std::vector<float> surplus_of_region;
+  for (std::size_t region = 0; region < eaten.size(); ++region) {
+    const double born = own_level.population[index][region] * double(animal.growth_rate);
+    const double left = std::max(0.0, born - eaten[region] / double(animal.mean_mass()));
+    surplus_of_region.push_back(float(uniform_density(regions.regions[region], left)));
+  }
+  Grid<float> surplus(regions.label.width(), regions.label.height());
+  parallel_rows(0, surplus.height(), [&](int y) {
+    const auto label = regions.label.row(y);
+    const auto row = surplus.row(y);
+    for (std::size_t x = 0; x < row.size(); ++x) row[x] = label[x] >= 0 ? surplus_of_region[std::size_t(label[x])] : 0;
+  });
+  return surplus;
+}
+
+SurplusTotal surplus_total(const FoodWeb& web, int species, const CoverMap* cover, double cell_area,
+                           std::span<const std::shared_ptr<const AnimalLevel>> levels) {
+  SurplusTotal total;
+  for (const auto& level : levels) {
+    const auto& eaten = level->eaten[std::size_t(species)];
+    total.eaten += std::accumulate(eaten.begin(), eaten.end(), 0.0);
+  }
+  const Species& own = web.species[std::size_t(species)];
+  if (own.is_plant()) {
+    assert(cover != nullptr);
+    std::vector<std::uint64_t> row_sum(std::size_t(cover->height()));
+    parallel_rows(0, cover->height(), [&](int y) {
+      std::vector<Cover> row(static_cast<std::size_t>(cover->width()));
+      cover->read_row(y, 0, row);
+      row_sum[std::size_t(y)] = std::accumulate(row.begin(), row.end(), std::uint64_t{0});
+    });
+    const std::uint64_t sum = std::accumulate(row_sum.begin(), row_sum.end(), std::uint64_t{0});
+    total.growth = double(sum) / full_cover * cell_area * double(own.plant().growth);
+    return total;
+  }
+  const Member member = member_of(species, levels);
+  if (member.level != nullptr) {
+    const auto& population = member.level->population[member.index];
+    total.growth = std::accumulate(population.begin(), population.end(), 0.0) * double(own.animal().growth_rate);
+  }
+  total.eaten /= double(own.animal().mean_mass());
+  return total;
+}
+
+}  // namespace biotope
