@@ -5,7 +5,7 @@
 
 #include "core/base/parallel.hpp"
 #include "core/climate/environment.hpp"
-#include "core/climate/water_spread.hpp"
+#include "core/climate/diffusion.hpp"
 
 namespace biotope {
 namespace {
@@ -55,7 +55,7 @@ Result<Grid<float>> moisture_layer(const Terrain& terrain, const Derivatives& de
   for (int step = 0; step < spread_steps; ++step) {
     if (context.stopped()) return fail("stopped");
     context.report("moisture", double(step + 1) / (spread_steps + 1));
-    spread_water(water, conductance);
+    diffuse(water, conductance);
   }
   constexpr auto zero = float(moisture_scale.index(0));
   constexpr auto per_unit = float(8 / (moisture_scale.nine - moisture_scale.one));

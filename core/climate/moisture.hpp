@@ -23,7 +23,7 @@ inline constexpr double moisture_spread = 30;
 /// The authors diffuse with a diffusivity that grows with the water itself, relative to the map's wettest cell, in 500 explicit steps of
 /// 1 m cells. Here it depends on the slope alone (their exp(ln 0.01 / 0.57 slope)) and lengths are in metres, so that no place depends on
 /// the rest of the map or on the cell size; channels and lakes keep their water, as a river is not emptied by what its banks soak up.
-/// That also is what keeps a small brook's line as sharp as theirs. Water, not its logarithm, spreads: it is the quantity that is conserved.
+/// Water spreads, not its logarithm: water is what is conserved, and the logarithm of its tail makes the banks' even gradient.
 /// Four implicit steps of alternating direction: positive everywhere, O(cells), parallel. Nothing when stopped.
 [[nodiscard]] Result<Grid<float>> moisture_layer(const Terrain& terrain, const Derivatives& derivatives, const Hydrology& hydrology,
                                                  const TaskContext& context = {});

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/parallel.hpp"
+#include "core/climate/diffusion.hpp"
 
 namespace biotope {
 namespace {
@@ -13,22 +14,40 @@ float ramp(float from, float to, float value) {
   return t * t * (3 - 2 * t);
 }
 
-/// ln(water) above which flat ground is a flood plain, and above which a gentle slope gathers fine ground.
-constexpr float flood_plain_water = 8;
+/// ln(water) above which gentle ground is a flood plain, and above which it gathers fine ground.
+constexpr float flood_plain_water = 6.7F;
 constexpr float lower_slope_water = 4.5F;
+/// Over what distance ground is compared with its surroundings to tell hollows from bulges, standard deviation in metres.
+constexpr double hollow_radius = 15;
 
-Geology geology_of(float slope, float curvature, float water) {
-  if (slope < 0.2F && water > flood_plain_water) return Geology::alluvium;
-  if (slope > 0.55F && slope < 1.1F && curvature > 0.002F) return Geology::scree;
+/// How far the ground lies below the mean of its surroundings, m; negative on bulges. Smoothed, so that neither the cell size nor the
+/// noise of a fine DEM shows.
+Grid<float> hollows(const Terrain& terrain) {
+  const auto conductance = float(hollow_radius * hollow_radius / (2 * terrain.cell_area()));
+  Grid<float> depth = terrain.height;
+  diffuse(depth, Grid<float>(depth.width(), depth.height(), conductance));
+  parallel_rows(0, depth.height(), [&](int y) {
+    for (int x = 0; x < depth.width(); ++x) depth(x, y) -= terrain.height(x, y);
+  });
+  return depth;
+}
+
+/// 0..1: how much loose rock has come to rest: steep ground below what is steeper, but not a cliff itself.
+float scree_share(float slope, float hollow) {
+  return ramp(0.5F, 0.65F, slope) * (1 - ramp(1.0F, 1.3F, slope)) * ramp(-0.2F, 0.4F, hollow);
+}
+
+Geology geology_of(float slope, float hollow, float water) {
+  if (slope < 0.25F && water > flood_plain_water) return Geology::alluvium;
+  if (scree_share(slope, hollow) > 0.5F) return Geology::scree;
   if (slope < 0.3F && water > lower_slope_water) return Geology::marl;
   return Geology::limestone;
 }
 
-float texture_of(float slope, float water, Geology geology) {
-  const float coarser = 4.5F * ramp(0.5F, 1.3F, slope);
+float texture_of(float slope, float hollow, float water) {
+  const float coarser = 4.5F * std::max(ramp(0.55F, 1.4F, slope), 0.6F * scree_share(slope, hollow));
   const float finer = 1.3F * (1 - ramp(0.03F, 0.2F, slope)) * ramp(6, 9, water);
-  const float loam = 3.5F + coarser - finer;
-  return geology == Geology::scree ? std::max(loam, 6.0F) : loam;
+  return 3.5F + coarser - finer;
 }
 
 }  // namespace
@@ -36,15 +55,15 @@ float texture_of(float slope, float water, Geology geology) {
 SoilMaps estimate_soil(const Terrain& terrain, const Derivatives& derivatives, const Hydrology& hydrology, const Grid<float>& moisture) {
   const int width = terrain.height.width();
   const int height = terrain.height.height();
+  const Grid<float> hollow = hollows(terrain);
   SoilMaps soil{Grid<float>(width, height), Grid<Geology>(width, height)};
   parallel_rows(0, height, [&](int y) {
     for (int x = 0; x < width; ++x) {
       const float slope = derivatives.slope(x, y);
       const auto water = float(moisture_scale.physical(moisture(x, y)));
       const bool open_water = hydrology.water(x, y) != WaterKind::dry;
-      const Geology geology = open_water ? Geology::water : geology_of(slope, derivatives.curvature(x, y), water);
-      soil.geology(x, y) = geology;
-      soil.texture(x, y) = texture_of(slope, water, geology);
+      soil.geology(x, y) = open_water ? Geology::water : geology_of(slope, hollow(x, y), water);
+      soil.texture(x, y) = texture_of(slope, hollow(x, y), water);
     }
   });
   return soil;

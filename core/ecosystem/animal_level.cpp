@@ -32,7 +32,8 @@ void find_regions(const AnimalLevelInput& input, AnimalLevel& level) {
   std::vector<std::size_t> kind_of_species;
   for (const int species : level.species) {
     const Mobility mobility = mobility_of(traits(input.web, species));
-    const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const Mobility& kind) { return same_obstacles(kind, mobility); });
+    const auto found =
+        std::find_if(kinds.begin(), kinds.end(), [&](const Mobility& kind) { return same_obstacles(kind, mobility); });
     kind_of_species.push_back(std::size_t(found - kinds.begin()));
     if (found == kinds.end()) kinds.push_back(mobility);
   }
@@ -47,13 +48,15 @@ void find_regions(const AnimalLevelInput& input, AnimalLevel& level) {
 std::vector<std::vector<double>> populations(const AnimalCompetition& competition, const AnimalLevel& level) {
   std::vector<std::vector<double>> result;
   for (const auto& regions : level.regions) result.emplace_back(regions->regions.size());
-  for (const Settlement& own : competition.settlements()) result[std::size_t(own.species_index)][std::size_t(own.region)] = own.population;
+  for (const Settlement& own : competition.settlements())
+    result[std::size_t(own.species_index)][std::size_t(own.region)] = own.population;
   return result;
 }
 
-/// Lets the settlements eat for the populations that paint made: fewer animals give back their share, more eat of what is left; what is
-/// missing is recorded, the paint stays.
-void eat_as_painted(AnimalCompetition& competition, AnimalLevel& level, const FoodWeb& web, std::span<const PaintedPopulation> paint) {
+/// Lets the settlements eat for the populations that paint made: fewer animals give back their share, more eat of what is left;
+/// what is missing is recorded, the paint stays.
+void eat_as_painted(AnimalCompetition& competition, AnimalLevel& level, const FoodWeb& web,
+                    std::span<const PaintedPopulation> paint) {
   const std::size_t count = competition.settlements().size();
   std::vector<double> wanted(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -71,9 +74,12 @@ void eat_as_painted(AnimalCompetition& competition, AnimalLevel& level, const Fo
   }
 }
 
-void apply_paint(const AnimalLevelInput& input, AnimalCompetition& competition, AnimalLevel& level) {
+/// Populations with paint on them; returns what is then eaten.
+std::vector<std::vector<double>> apply_paint(const AnimalLevelInput& input, const CompetitionInput& rules,
+                                             const AnimalCompetition& competition, AnimalLevel& level) {
   level.population = level.computed_population;
   std::vector<PaintedPopulation> painted_populations(level.species.size());
+  std::vector<char> inhabited(competition.settlements().size());
   bool any = false;
   for (std::size_t i = 0; i < level.species.size(); ++i) {
     if (i >= input.paint.size() || !input.paint[i]) continue;
@@ -82,8 +88,15 @@ void apply_paint(const AnimalLevelInput& input, AnimalCompetition& competition, 
         painted_population(*level.regions[i], level.computed_population[i], *input.paint[i], input.ground.terrain->cell_size);
     level.population[i] = painted_populations[i].population;
     warn_of_uninhabitable_paint(input.web, level.species[i], painted_populations[i], level);
+    for (std::size_t region = 0; region < level.population[i].size(); ++region) {
+      inhabited[competition.settlement(int(i), int(region))] = level.population[i][region] > 0;
+    }
   }
-  if (any) eat_as_painted(competition, level, input.web, painted_populations);
+  if (!any) return competition.eaten();
+  AnimalCompetition with_paint(rules, inhabited);
+  with_paint.adopt(competition);
+  eat_as_painted(with_paint, level, input.web, painted_populations);
+  return with_paint.eaten();
 }
 
 void form_herds(const AnimalLevelInput& input, AnimalLevel& level) {
@@ -133,18 +146,21 @@ Result<AnimalLevel> compute_animal_level(const AnimalLevelInput& input, const Ta
   context.report("resource nodes", 0);
   if (context.stopped()) return fail("stopped");
   const ResourceSources sources{input.web, input.level, input.ground, *level.partition, input.plants, input.below};
-  level.graph = std::make_shared<const GraphLevel>(build_resource_nodes(sources, context));
+  const std::vector<PreySupply> prey = find_prey(sources);
+  for (const PreySupply& supply : prey) level.prey.push_back({supply.species, supply.region, supply.piece, supply.available});
+  level.available = available_supply(sources, prey);
+  level.graph = std::make_shared<const GraphLevel>(build_resource_nodes(sources, prey, context));
   if (context.stopped()) return fail("stopped");
 
   context.report("animal competition", 0);
-  AnimalCompetition competition(input.web, level.species, *level.partition, level.regions, *level.graph);
-  const Status settled = level.desired.empty() ? settle_fittest(competition, *level.partition, context)
-                                               : settle_in_proportion(competition, level.desired, context);
+  const CompetitionInput rules{input.web, level.species, *level.partition, level.regions, *level.graph, level.available};
+  AnimalCompetition competition(rules);
+  const Status settled =
+      level.desired.empty() ? settle_fittest(competition, context) : settle_in_proportion(competition, level.desired, context);
   if (!settled) return fail(settled.error().message);
   level.computed_population = populations(competition, level);
   warn_of_absent_species(input.web, level);
-  apply_paint(input, competition, level);
-  level.eaten = competition.eaten();
+  level.eaten = apply_paint(input, rules, competition, level);
   level.achieved = shares(level.population);
   form_herds(input, level);
   context.report("animal competition", 1);
@@ -155,7 +171,8 @@ Grid<float> animal_density(const AnimalLevel& level, int species_index, const Pa
   const ConfinementRegions& regions = *level.regions[std::size_t(species_index)];
   const auto& individuals = level.computed_population[std::size_t(species_index)];
   std::vector<float> uniform;
-  for (std::size_t i = 0; i < individuals.size(); ++i) uniform.push_back(float(uniform_density(regions.regions[i], individuals[i])));
+  for (std::size_t i = 0; i < individuals.size(); ++i)
+    uniform.push_back(float(uniform_density(regions.regions[i], individuals[i])));
   Grid<float> density(regions.label.width(), regions.label.height());
   parallel_rows(0, density.height(), [&](int y) {
     const auto label = regions.label.row(y);

@@ -39,6 +39,17 @@ struct AnimalLevel {
   /// Shares of the level's individuals; `desired` is empty when none was asked.
   std::vector<double> desired;
   std::vector<double> achieved;
+  /// kg a year that the levels below left for this one, by resource species (number in the web) and piece of this level's
+  /// partition: all growth in the piece's cells, whether in a node or not.
+  std::vector<std::vector<double>> available;
+  /// The same of each prey by its own regions.
+  struct PreyShare {
+    int species = 0;
+    int region = 0;  ///< confinement region of the prey
+    int piece = 0;
+    double available = 0;
+  };
+  std::vector<PreyShare> prey;
   /// kg eaten in a year by resource species (number in the web) and piece of this level's partition.
   std::vector<std::vector<double>> eaten;
   /// Paint that asks for more than there is: what, where and how much.
@@ -46,7 +57,7 @@ struct AnimalLevel {
     int species = 0;
     int region = 0;
     std::string resource;
-    double missing = 0;  ///< kg per year
+    double missing = 0;  ///< kg per year; 0 for "water", which has no amount
   };
   std::vector<Shortage> shortages;
   std::vector<std::string> warnings;
@@ -69,10 +80,11 @@ struct AnimalLevelInput {
 };
 
 /// Regions, partition, resource nodes, competition (with or without proportions), paint, herds and what is eaten.
-/// A species never takes more than the yearly growth that the levels below and its rivals left. Deterministic; nothing when stopped.
+/// A species never takes more than the yearly growth that the levels below and its rivals left. Deterministic; nothing when
+/// stopped.
 [[nodiscard]] Result<AnimalLevel> compute_animal_level(const AnimalLevelInput& input, const TaskContext& context = {});
 
-/// Individuals per km2 in every cell: uniform over each region, with paint.
+/// Individuals per km2 in every cell: uniform over each region, with paint; `species_index` counts within the level.
 [[nodiscard]] Grid<float> animal_density(const AnimalLevel& level, int species_index, const PaintLayer* paint);
 
 }  // namespace biotope

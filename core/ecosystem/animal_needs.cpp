@@ -18,7 +18,8 @@ std::vector<YearlyNeed> yearly_needs(const FoodWeb& web, int species) {
   const auto& named = web.species[std::size_t(species)].animal().diet;
   for (std::size_t i = 0; i < diet.size(); ++i) {
     if (diet[i].amount <= 0) continue;
-    needs.push_back({i < named.size() ? named[i].name : "food", diet[i].foods, diet[i].preferences, double(diet[i].amount) * days_per_year});
+    needs.push_back(
+        {i < named.size() ? named[i].name : "food", diet[i].foods, diet[i].preferences, double(diet[i].amount) * days_per_year});
   }
   return needs;
 }
@@ -28,19 +29,12 @@ std::vector<NeedBalance> need_balance(const FoodWeb& web, const AnimalLevel& lev
   for (YearlyNeed& need : yearly_needs(web, level.species[species_index])) balance.push_back({std::move(need), 0, 0});
   const auto lives_in = [&](std::size_t piece) { return level.partition->pieces[piece].region[species_index] == region; };
   for (NeedBalance& own : balance) {
-    const auto& foods = own.need.foods;
-    for (const ResourceNode& node : level.graph->nodes) {
-      if (!lives_in(std::size_t(node.piece))) continue;
-      for (const ResourceQuantity& quantity : node.quantities) {
-        if (std::find(foods.begin(), foods.end(), quantity.species) != foods.end()) own.offered += quantity.available;
-      }
-    }
-    own.left = own.offered;
-    if (level.eaten.empty()) continue;
-    for (const int food : foods) {
-      const auto& eaten = level.eaten[std::size_t(food)];
-      for (std::size_t piece = 0; piece < eaten.size(); ++piece) {
-        if (eaten[piece] > 0 && lives_in(piece)) own.left -= eaten[piece];
+    for (const int food : own.need.foods) {
+      const auto& available = level.available[std::size_t(food)];
+      for (std::size_t piece = 0; piece < available.size(); ++piece) {
+        if (available[piece] <= 0 || !lives_in(piece)) continue;
+        own.offered += available[piece];
+        own.left += available[piece] - (level.eaten.empty() ? 0 : level.eaten[std::size_t(food)][piece]);
       }
     }
     own.left = std::max(0.0, own.left);
@@ -48,7 +42,7 @@ std::vector<NeedBalance> need_balance(const FoodWeb& web, const AnimalLevel& lev
   return balance;
 }
 
-int scarcest_need(const std::vector<NeedBalance>& balance, double NeedBalance::* amount) {
+int scarcest_need(const std::vector<NeedBalance>& balance, double NeedBalance::*amount) {
   int scarcest = -1;
   double fewest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < balance.size(); ++i) {
@@ -86,11 +80,12 @@ std::string absence_reason(const FoodWeb& web, const AnimalLevel& level, std::si
     best_need = scarcest;
     best = std::move(balance);
   }
-  if (best_need < 0) return any_food ? "no region where it finds food has water to drink" : "no region has water to drink, nor food for a herd";
+  if (best_need < 0)
+    return any_food ? "no region where it finds food has water to drink" : "no region has water to drink, nor food for a herd";
   const NeedBalance& scarce = best[std::size_t(best_need)];
   if (most < animal.herd_min) {
-    return "a herd of " + std::to_string(animal.herd_min) + " needs " + number_text(scarce.need.kilograms * animal.herd_min) + " kg of " +
-           scarce.need.name + " a year, its best region has " + number_text(scarce.offered);
+    return "a herd of " + std::to_string(animal.herd_min) + " needs " + number_text(scarce.need.kilograms * animal.herd_min) +
+           " kg of " + scarce.need.name + " a year, more than any of its regions offers";
   }
   return level.desired.empty() ? "others leave too little of its food for a herd of " + std::to_string(animal.herd_min)
                                : "others take its food before its share makes a herd of " + std::to_string(animal.herd_min);

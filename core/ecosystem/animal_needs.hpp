@@ -17,10 +17,11 @@ struct NeedBalance {
   double offered = 0;  ///< yearly growth in reach that the levels below left
   double left = 0;     ///< after everybody of this level ate; `offered` before the competition
 };
-[[nodiscard]] std::vector<NeedBalance> need_balance(const FoodWeb& web, const AnimalLevel& level, std::size_t species_index, int region);
+[[nodiscard]] std::vector<NeedBalance> need_balance(const FoodWeb& web, const AnimalLevel& level, std::size_t species_index,
+                                                    int region);
 
 /// The need that allows the fewest animals when `offered` (or `left`) is shared out; -1 when there is none.
-[[nodiscard]] int scarcest_need(const std::vector<NeedBalance>& balance, double NeedBalance::* amount);
+[[nodiscard]] int scarcest_need(const std::vector<NeedBalance>& balance, double NeedBalance::*amount);
 
 /// Whether a bank lies in the region.
 [[nodiscard]] bool region_has_water(const AnimalLevel& level, std::size_t species_index, int region);

@@ -33,8 +33,8 @@ Change& change_of(std::vector<Change>& changes, std::int32_t region) {
   return changes.emplace_back(Change{region, 0, {}});
 }
 
-TileChange change_of_tile(const ConfinementRegions& regions, std::span<const double> computed, const PaintLayer& paint, std::size_t tile,
-                          double cell_km2) {
+TileChange change_of_tile(const ConfinementRegions& regions, std::span<const double> computed, const PaintLayer& paint,
+                          std::size_t tile, double cell_km2) {
   TileChange result;
   const Rect rect = paint.tile_rect(tile);
   const PaintLayer::Tile& cells = *paint.tile(tile);

@@ -13,7 +13,7 @@ struct Choice {
 };
 
 /// The fittest region of a species that can feed so many animals; the first on ties.
-Choice fittest_region(const AnimalCompetition& competition, std::span<const std::size_t> settlements, double animals) {
+Choice fittest_region(AnimalCompetition& competition, std::span<const std::size_t> settlements, double animals) {
   Choice best;
   for (const std::size_t settlement : settlements) {
     const double fitness = competition.fitness(settlement);
@@ -22,18 +22,19 @@ Choice fittest_region(const AnimalCompetition& competition, std::span<const std:
   return best;
 }
 
-/// Settlements of each species that could ever feed it.
+/// Settlements of each species where a herd can live.
 std::vector<std::vector<std::size_t>> habitable(const AnimalCompetition& competition, std::size_t species) {
   std::vector<std::vector<std::size_t>> result(species);
   const auto all = competition.settlements();
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (all[i].has_water && all[i].capacity > 0) result[std::size_t(all[i].species_index)].push_back(i);
+    if (all[i].habitable) result[std::size_t(all[i].species_index)].push_back(i);
   }
   return result;
 }
 
 /// Squared distance to the target when `added` individuals of one species join.
-double distance_to_target(std::span<const double> individuals, std::span<const double> desired, std::size_t species, double added) {
+double distance_to_target(std::span<const double> individuals, std::span<const double> desired, std::size_t species,
+                          double added) {
   double total = added;
   for (const double count : individuals) total += count;
   double distance = 0;
@@ -46,25 +47,14 @@ double distance_to_target(std::span<const double> individuals, std::span<const d
 
 }  // namespace
 
-Status settle_fittest(AnimalCompetition& competition, const Partition& partition, const TaskContext& context) {
-  std::vector<std::vector<std::size_t>> candidates;
-  for (const auto& piece : partition.pieces) {
-    std::vector<std::size_t> own;
-    for (std::size_t i = 0; i < piece.region.size(); ++i) {
-      if (piece.region[i] < 0) continue;
-      const std::size_t settlement = competition.settlement(int(i), piece.region[i]);
-      const Settlement& place = competition.settlements()[settlement];
-      if (place.has_water && place.capacity > 0) own.push_back(settlement);
-    }
-    if (!own.empty()) candidates.push_back(std::move(own));
-  }
+Status settle_fittest(AnimalCompetition& competition, const TaskContext& context) {
   for (int herds = competition.herds_at_a_time(); herds >= 1; herds /= 2) {
     for (bool settled = true; settled;) {
       settled = false;
       if (context.stopped()) return fail("stopped");
-      for (auto& piece : candidates) {
+      for (const auto& eaters : competition.eaters_of_stock()) {
         Choice best;
-        for (const std::size_t settlement : piece) {
+        for (const std::size_t settlement : eaters) {
           const double fitness = competition.fitness(settlement);
           const double animals = herds * competition.herd_min(competition.settlements()[settlement].species_index);
           if (fitness > best.fitness && competition.can_feed(settlement, animals)) best = {settlement, fitness};
@@ -83,7 +73,8 @@ Status settle_in_proportion(AnimalCompetition& competition, std::span<const doub
   std::vector<double> individuals(desired.size());
   /// Herds of each species at a time: fewer once so many no longer find food, 0 when the species dropped out.
   std::vector<int> herds(desired.size());
-  for (std::size_t i = 0; i < desired.size(); ++i) herds[i] = desired[i] > 0 && !regions[i].empty() ? competition.herds_at_a_time() : 0;
+  for (std::size_t i = 0; i < desired.size(); ++i)
+    herds[i] = desired[i] > 0 && !regions[i].empty() ? competition.herds_at_a_time() : 0;
   for (;;) {
     if (context.stopped()) return fail("stopped");
     std::size_t closest = desired.size();

@@ -35,9 +35,10 @@ void record_shortages(const FoodWeb& web, const Settlement& place, std::span<con
     level.shortages.push_back({species, place.region, needs[i].name, missing});
     const double met = needs[i].kilograms * place.population - missing;
     const double percent = met > 0 ? 100 * missing / met : 0;
-    const std::string amount = percent <= 0      ? "painted where no " + needs[i].name + " grows,"
-                               : percent <= 1000 ? number_text(percent) + " % more " + needs[i].name + " asked than grows"
-                                                 : number_text(missing) + " kg a year more " + needs[i].name + " asked than grows";
+    const std::string amount = percent <= 0 ? "painted where no " + needs[i].name + " grows,"
+                               : percent <= 1000
+                                   ? number_text(percent) + " % more " + needs[i].name + " asked than grows"
+                                   : number_text(missing) + " kg a year more " + needs[i].name + " asked than grows";
     level.warnings.push_back(name + ": " + amount + " " + place_text(place, paint, level));
   }
 }

@@ -8,7 +8,8 @@
 
 namespace biotope {
 
-/// Records what an incomplete meal of painted animals lacks, and missing water, with a warning that names species, place and resource.
+/// Records what an incomplete meal of painted animals lacks, and missing water, with a warning that names species, place and
+/// resource.
 void record_shortages(const FoodWeb& web, const Settlement& place, std::span<const YearlyNeed> needs, const Meal& meal,
                       const PaintedPopulation& paint, AnimalLevel& level);
 

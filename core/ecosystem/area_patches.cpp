@@ -83,7 +83,8 @@ std::vector<std::int32_t> join_slivers(Neighbourhood& all, const SplitRule& rule
     while (joined[std::size_t(patch)] != patch) patch = joined[std::size_t(patch)];
     return patch;
   };
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return patches[std::size_t(a)].cells < patches[std::size_t(b)].cells; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](auto a, auto b) { return patches[std::size_t(a)].cells < patches[std::size_t(b)].cells; });
   for (std::int32_t patch : order) {
     patch = root(patch);
     while (patches[std::size_t(patch)].cells < rule.sliver_cells) {

@@ -16,7 +16,8 @@ struct CellRun {
   std::int64_t value = 0;
 };
 
-/// A map as runs, row by row; cells with a negative value belong to no run. Runs of one row are maximal when they come from `collect_runs`.
+/// A map as runs, row by row; cells with a negative value belong to no run. Runs of one row are maximal when they come from
+/// `collect_runs`.
 struct RunTable {
   int width = 0;
   int height = 0;
@@ -60,8 +61,7 @@ template <class FillRow>
   for (std::size_t y = 0; y < std::size_t(height); ++y) table.row_start[y + 1] += table.row_start[y];
   table.runs.resize(table.row_start.back());
   parallel_each(bands, [&](std::size_t band) {
-    std::copy(parts[band].begin(), parts[band].end(),
-              table.runs.begin() + std::ptrdiff_t(table.row_start[band * band_rows]));
+    std::copy(parts[band].begin(), parts[band].end(), table.runs.begin() + std::ptrdiff_t(table.row_start[band * band_rows]));
   });
   return table;
 }

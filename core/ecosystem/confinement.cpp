@@ -148,9 +148,7 @@ ConfinementRegions confinement_regions(const Grid<std::uint8_t>& blocked, double
 ConfinementRegions confinement_regions(const Ground& ground, const Mobility& mobility) {
   const ObstacleRows obstacles(ground, mobility);
   return regions_of(collect_runs(ground.terrain->height.width(), ground.terrain->height.height(),
-                                 [&](int y, std::span<std::int64_t> out) {
-                                   obstacles.fill_row<std::int64_t>(y, out, 0, -1);
-                                 }),
+                                 [&](int y, std::span<std::int64_t> out) { obstacles.fill_row<std::int64_t>(y, out, 0, -1); }),
                     ground.terrain->cell_size);
 }
 

@@ -46,13 +46,14 @@ struct Mobility {
 enum class Obstacle : std::uint8_t { none, slope, deep_water, trees };
 [[nodiscard]] Obstacle obstacle_at(const Ground& ground, const Mobility& mobility, int x, int y);
 
-/// Cells steeper than the limit, water deeper than it wades (unless within a ford), tree cover denser than it pushes through. A ford opens a
-/// disk as wide as its river, so that a corridor reaches from bank to bank.
+/// Cells steeper than the limit, water deeper than it wades (unless within a ford), tree cover denser than it pushes through. A
+/// ford opens a disk as wide as its river, so that a corridor reaches from bank to bank.
 [[nodiscard]] Grid<std::uint8_t> blocked_cells(const Ground& ground, const Mobility& mobility);
 
 /// Connected components (4-neighbours) of passable cells.
 struct ConfinementRegions {
-  /// Region of each cell, -1 where blocked or in a region below the minimum area. Regions are numbered by their first cell in row order.
+  /// Region of each cell, -1 where blocked or in a region below the minimum area. Regions are numbered by their first cell in row
+  /// order.
   Grid<std::int32_t> label;
   struct Region {
     std::size_t cells = 0;
@@ -65,19 +66,20 @@ struct ConfinementRegions {
 /// The same straight from the ground, without the grid between.
 [[nodiscard]] ConfinementRegions confinement_regions(const Ground& ground, const Mobility& mobility);
 
-/// The finest common partition of several species' regions: two cells are in one piece when every species has them in the same region.
+/// The finest common partition of several species' regions: two cells are in one piece when every species has them in the same
+/// region.
 struct Partition {
   /// Piece of each cell, -1 where no species can be.
   Grid<std::int32_t> label;
   struct Piece {
     std::size_t cells = 0;
     double area = 0;
-    /// Region of each species (order of the regions passed in), -1 where that species cannot be. Pieces are numbered by their first cell in row order.
+    /// Region of each species (order of the regions passed in), -1 where that species cannot be. Pieces are numbered by their
+    /// first cell in row order.
     std::vector<int> region;
   };
   std::vector<Piece> pieces;
 };
-[[nodiscard]] Partition finest_partition(std::span<const std::shared_ptr<const ConfinementRegions>> regions,
-                                         double cell_size);
+[[nodiscard]] Partition finest_partition(std::span<const std::shared_ptr<const ConfinementRegions>> regions, double cell_size);
 
 }  // namespace biotope

@@ -22,21 +22,24 @@ Explanation explain_obstacle(const Ground& ground, const AnimalTraits& animal, O
       const double slope = double(ground.derivatives->slope(x, y));
       const auto degrees = [](double rise) { return number_text(std::atan(rise) * 180 / 3.14159265358979323846); };
       result.headline = "Blocked: too steep";
-      result.details.push_back("The ground rises " + decimals(slope, 2) + " m per m (" + degrees(slope) + " degrees); it walks up to " +
-                               decimals(double(animal.max_slope), 2) + " (" + degrees(double(animal.max_slope)) + " degrees).");
+      result.details.push_back("The ground rises " + decimals(slope, 2) + " m per m (" + degrees(slope) +
+                               " degrees); it walks up to " + decimals(double(animal.max_slope), 2) + " (" +
+                               degrees(double(animal.max_slope)) + " degrees).");
       break;
     }
     case Obstacle::deep_water:
       result.headline = "Blocked: water too deep";
-      result.details.push_back("The water is " + decimals(double(ground.hydrology->water_depth(x, y)), 2) + " m deep and no ford is near; it wades " +
-                               decimals(double(animal.wade_depth), 2) + " m.");
+      result.details.push_back("The water is " + decimals(double(ground.hydrology->water_depth(x, y)), 2) +
+                               " m deep and no ford is near; it wades " + decimals(double(animal.wade_depth), 2) + " m.");
       break;
     case Obstacle::trees:
       result.headline = "Blocked: trees too dense";
-      result.details.push_back("Trees cover " + number_text(100.0 * (*ground.tree_cover)(x, y) / full_cover) + " % of the ground; it pushes through " +
-                               number_text(100.0 * double(animal.max_tree_cover)) + " %.");
+      result.details.push_back("Trees cover " + number_text(100.0 * (*ground.tree_cover)(x, y) / full_cover) +
+                               " % of the ground; it pushes through " + number_text(100.0 * double(animal.max_tree_cover)) +
+                               " %.");
       break;
-    case Obstacle::none: break;
+    case Obstacle::none:
+      break;
   }
   return result;
 }
@@ -44,18 +47,21 @@ Explanation explain_obstacle(const Ground& ground, const AnimalTraits& animal, O
 std::string need_text(const NeedBalance& balance, int herd) {
   const double asked = balance.need.kilograms * herd;
   std::string text = "Of " + number_text(balance.offered) + " kg of " + balance.need.name + " that grow in reach each year " +
-                     number_text(balance.left) + " are left; another herd of " + std::to_string(herd) + " needs " + number_text(asked);
+                     number_text(balance.left) + " are left; another herd of " + std::to_string(herd) + " needs " +
+                     number_text(asked);
   if (asked > balance.left) text += ", " + number_text(asked - balance.left) + " kg are short";
   return text + ".";
 }
 
 /// Other species of the level that live in the region's pieces and eat what this one eats, with their numbers there.
-std::vector<std::string> competitors(const FoodWeb& web, const AnimalLevel& level, std::size_t index, int region, const std::vector<int>& foods) {
+std::vector<std::string> competitors(const FoodWeb& web, const AnimalLevel& level, std::size_t index, int region,
+                                     const std::vector<int>& foods) {
   std::vector<std::pair<double, std::string>> found;
   for (std::size_t other = 0; other < level.species.size(); ++other) {
     if (other == index) continue;
     std::vector<int> their_foods;
-    for (const YearlyNeed& need : yearly_needs(web, level.species[other])) their_foods.insert(their_foods.end(), need.foods.begin(), need.foods.end());
+    for (const YearlyNeed& need : yearly_needs(web, level.species[other]))
+      their_foods.insert(their_foods.end(), need.foods.begin(), need.foods.end());
     const bool same_food = std::any_of(foods.begin(), foods.end(), [&](int food) {
       return std::find(their_foods.begin(), their_foods.end(), food) != their_foods.end();
     });
@@ -95,7 +101,8 @@ void explain_region(const FoodWeb& web, const AnimalLevel& level, std::size_t in
     std::size_t herds = 0;
     for (const Herd& herd : level.herds) herds += herd.species == level.species[index] && herd.region == region;
     result.headline = "Present: " + number_text(individuals) + " in " + place;
-    result.details.push_back(std::to_string(herds) + (herds == 1 ? " herd; " : " herds; ") + number_text(individuals / (own.area / 1e6)) + " per km2.");
+    result.details.push_back(std::to_string(herds) + (herds == 1 ? " herd; " : " herds; ") +
+                             number_text(individuals / (own.area / 1e6)) + " per km2.");
   } else if (thirsty) {
     result.headline = "Absent: no water to drink in " + place;
   } else if (scarcest >= 0) {
@@ -113,7 +120,8 @@ void explain_region(const FoodWeb& web, const AnimalLevel& level, std::size_t in
   if (!rivals.empty()) result.details.push_back("Shares its food with " + joined(rivals) + ".");
   for (const auto& shortage : level.shortages) {
     if (shortage.species != level.species[index] || shortage.region != region || shortage.missing <= 0) continue;
-    result.details.push_back("Painted beyond what grows: " + number_text(shortage.missing) + " kg of " + shortage.resource + " a year are missing.");
+    result.details.push_back("Painted beyond what grows: " + number_text(shortage.missing) + " kg of " + shortage.resource +
+                             " a year are missing.");
   }
 }
 

@@ -79,16 +79,18 @@ int greatest_rival(const Stand& stand, const Amount& amount) {
 
 Range range_of(const PlantTraits& plant, Resource resource) {
   switch (resource) {
-    case Resource::illumination: return plant.illumination;
-    case Resource::temperature: return plant.temperature;
-    case Resource::moisture: return plant.moisture;
+    case Resource::illumination:
+      return plant.illumination;
+    case Resource::temperature:
+      return plant.temperature;
+    case Resource::moisture:
+      return plant.moisture;
   }
   return {};
 }
 
 bool is_monthly(LimitingFactor factor) {
-  return factor == LimitingFactor::illumination || factor == LimitingFactor::temperature ||
-         factor == LimitingFactor::moisture;
+  return factor == LimitingFactor::illumination || factor == LimitingFactor::temperature || factor == LimitingFactor::moisture;
 }
 
 /// The resource of a monthly limiting factor.
@@ -118,8 +120,8 @@ std::string fault_text(const PlantTraits& plant, const CellEnvironment& cell, Li
 std::string monthly_detail(Resource resource, Range range, const std::array<float, months>& year, float fitness) {
   const YearMisfit misfit = year_misfit(range, year);
   const float value = year[std::size_t(misfit.worst_month)];
-  std::string text = resource_text(resource) + ": " + std::to_string(misfit.months_low + misfit.months_high) +
-                     " of 12 months " + misfit_text(resource, misfit) + "; index " + index_text(resource, value) + " in " +
+  std::string text = resource_text(resource) + ": " + std::to_string(misfit.months_low + misfit.months_high) + " of 12 months " +
+                     misfit_text(resource, misfit) + "; index " + index_text(resource, value) + " in " +
                      month_text(misfit.worst_month) + ", " + needs_text(range) + " (" +
                      (misfit.missing > 0 ? number_text(double(misfit.missing), 1) + " missing"
                                          : number_text(double(misfit.excess), 1) + " too much") +
@@ -157,9 +159,8 @@ std::vector<std::string> resource_details(const PlantTraits& plant, const CellEn
 void add_rival_details(const Stand& stand, const CellEnvironment& cell, std::vector<std::string>& details) {
   for (const Resource resource : {Resource::illumination, Resource::moisture}) {
     const float taken = taken_by_rivals(stand, resource);
-    const int rival = greatest_rival(stand, [&](std::size_t i) {
-      return double(consumption(stand.traits(i), resource)) * stand.fraction(i);
-    });
+    const int rival =
+        greatest_rival(stand, [&](std::size_t i) { return double(consumption(stand.traits(i), resource)) * stand.fraction(i); });
     if (rival < 0) continue;
     float mean = 0;
     for (const float month : cell.monthly[std::size_t(resource)]) mean += month / float(months);
@@ -198,15 +199,14 @@ bool is_used_up(const PlantTraits& plant, const CellEnvironment& left) {
   return short_of(Resource::illumination) || short_of(Resource::moisture);
 }
 
-std::string absent_headline(const Stand& stand, const CellEnvironment& cell, const CellEnvironment& left,
-                            const Fitness& before, const Fitness& now) {
+std::string absent_headline(const Stand& stand, const CellEnvironment& cell, const CellEnvironment& left, const Fitness& before,
+                            const Fitness& now) {
   const PlantTraits& plant = stand.traits(stand.asked);
   if (before.value < least_fitness && now.value < least_fitness) return "Absent: " + fault_text(plant, cell, before.limiting);
   if (now.value < least_fitness) {
     const Resource resource = resource_of(now.limiting);
-    const int rival = greatest_rival(stand, [&](std::size_t i) {
-      return double(consumption(stand.traits(i), resource)) * stand.fraction(i);
-    });
+    const int rival =
+        greatest_rival(stand, [&](std::size_t i) { return double(consumption(stand.traits(i), resource)) * stand.fraction(i); });
     const std::string what = resource == Resource::illumination ? "light" : "water";
     const std::string who = rival < 0 ? "others take" : stand.name(std::size_t(rival)) + " takes";
     return "Out-competed: " + who + " the " + what + " first, " + fault_text(plant, left, now.limiting);
@@ -253,8 +253,8 @@ Explanation explain_plant(const FoodWeb& web, const PlantEnvironment& environmen
     explanation.headline = "Painted: cover " + percent_text(stand.fraction(stand.asked)) + " where it would not grow, " +
                            fault_text(traits, cell, before.limiting);
   } else {
-    explanation.headline = "Present: cover " + percent_text(stand.fraction(stand.asked)) + ", fitness " +
-                           number_text(double(before.value), 2);
+    explanation.headline =
+        "Present: cover " + percent_text(stand.fraction(stand.asked)) + ", fitness " + number_text(double(before.value), 2);
     if (is_monthly(before.limiting)) explanation.headline += ", " + fault_text(traits, cell, before.limiting);
     explanation.details.push_back(bound_text(stand, left));
   }

@@ -20,9 +20,12 @@ struct Words {
 
 Words words_of(Resource resource) {
   switch (resource) {
-    case Resource::illumination: return {"Illumination", "too dark", "too bright"};
-    case Resource::temperature: return {"Temperature", "too cold", "too warm"};
-    case Resource::moisture: return {"Moisture", "too dry", "too wet"};
+    case Resource::illumination:
+      return {"Illumination", "too dark", "too bright"};
+    case Resource::temperature:
+      return {"Temperature", "too cold", "too warm"};
+    case Resource::moisture:
+      return {"Moisture", "too dry", "too wet"};
   }
   return {};
 }

@@ -16,12 +16,18 @@ float inverse_length(float length) { return length > 0 ? 1 / length : point_slop
 
 std::string_view to_string(LimitingFactor factor) {
   switch (factor) {
-    case LimitingFactor::none: return "none";
-    case LimitingFactor::illumination: return "illumination";
-    case LimitingFactor::temperature: return "temperature";
-    case LimitingFactor::moisture: return "moisture";
-    case LimitingFactor::texture: return "texture";
-    case LimitingFactor::geology: return "geology";
+    case LimitingFactor::none:
+      return "none";
+    case LimitingFactor::illumination:
+      return "illumination";
+    case LimitingFactor::temperature:
+      return "temperature";
+    case LimitingFactor::moisture:
+      return "moisture";
+    case LimitingFactor::texture:
+      return "texture";
+    case LimitingFactor::geology:
+      return "geology";
   }
   return "none";
 }

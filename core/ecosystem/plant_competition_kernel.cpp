@@ -54,14 +54,13 @@ BIOTOPE_INLINE Lanes fixed_fitness(const PlantTraits& plant, const CompetitionBa
 struct Left {
   Lanes light_taken{};
   Lanes water_taken{};
-  Lanes light{};   ///< of the yearly mean
+  Lanes light{};  ///< of the yearly mean
   Lanes water{};
   Lanes ground{};  ///< of the layer
 };
 
 /// Sums over the year of the range ends that an active competitor has.
-BIOTOPE_INLINE void sum_intervals(const IntervalLanes& resource, const RangeEnds& ends, const Lanes& taken,
-                                  IntervalSums& sums) {
+BIOTOPE_INLINE void sum_intervals(const IntervalLanes& resource, const RangeEnds& ends, const Lanes& taken, IntervalSums& sums) {
   for (std::size_t i = 0; i < ends.lows.size(); ++i) {
     if (sums.low_users[i] > 0) sums.below[i].v = intervals_below(resource, taken + ends.lows[i]);
   }
@@ -96,10 +95,8 @@ BIOTOPE_INLINE Lanes where_fed(const Competitor& c, const Left& left, const Lane
 
 /// Fitness of a competitor with what is left, 0 where a need is not available.
 BIOTOPE_INLINE Lanes fitness_now(const Competitor& c, const CompetitionBatch& batch, std::size_t index) {
-  const Lanes light =
-      fitness_from(batch.light_sums.below[std::size_t(c.light_low)].v, above_end(batch.light_sums, c.light_high));
-  const Lanes water =
-      fitness_from(batch.water_sums.below[std::size_t(c.water_low)].v, above_end(batch.water_sums, c.water_high));
+  const Lanes light = fitness_from(batch.light_sums.below[std::size_t(c.light_low)].v, above_end(batch.light_sums, c.light_high));
+  const Lanes water = fitness_from(batch.water_sums.below[std::size_t(c.water_low)].v, above_end(batch.water_sums, c.water_high));
   const Lanes crowding = fitness_steps - batch.cover[std::size_t(c.plant)].v;
   const Lanes fitness = smaller(smaller(batch.fixed[index].v, light), smaller(water, crowding));
   return at_least(fitness, least_fitness * fitness_steps);
@@ -149,8 +146,7 @@ BIOTOPE_INLINE Lanes choose_fittest(const CompetitionPlan::Layer& layer, Competi
   return chosen;
 }
 
-BIOTOPE_INLINE void give_units(const CompetitionPlan::Layer& layer, const Lanes& chosen, CompetitionBatch& batch,
-                               Left& left) {
+BIOTOPE_INLINE void give_units(const CompetitionPlan::Layer& layer, const Lanes& chosen, CompetitionBatch& batch, Left& left) {
   const Lanes none{};
   for (const int i : batch.active) {
     const Competitor& c = layer.competitors[std::size_t(i)];
@@ -213,7 +209,8 @@ BIOTOPE_INLINE void paint_months(const PaintLayer& paint, int x, int y, int coun
   for (LaneValues& month : values) month.v = smaller(larger(month.v + shift, lanes(1)), lanes(9));
 }
 
-BIOTOPE_INLINE void load_resource(const MonthlyMap& map, const PaintLayer* paint, int x, int y, int count, IntervalLanes& resource) {
+BIOTOPE_INLINE void load_resource(const MonthlyMap& map, const PaintLayer* paint, int x, int y, int count,
+                                  IntervalLanes& resource) {
   std::array<LaneValues, months> values;
   LaneValues layer;
   for (int month = 0; month < months; ++month) {
@@ -260,8 +257,8 @@ BIOTOPE_INLINE void compete_inline(const CompetitionPlan& plan, const PlantEnvir
 
 #if defined(__x86_64__)
 // The same operations in the same order whatever the width of the vectors: results are the same to the bit.
-__attribute__((target("avx2"))) void compete_avx2(const CompetitionPlan& plan, const PlantEnvironment& environment, int x,
-                                                  int y, int count, CompetitionBatch& batch) {
+__attribute__((target("avx2"))) void compete_avx2(const CompetitionPlan& plan, const PlantEnvironment& environment, int x, int y,
+                                                  int count, CompetitionBatch& batch) {
   compete_inline(plan, environment, x, y, count, batch);
 }
 #endif

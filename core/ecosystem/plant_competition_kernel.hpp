@@ -21,7 +21,7 @@ inline constexpr int batch_cells = lane_count;
 /// Index points that one unit takes, rounded to 1/65536 so that sums are exact in any order.
 [[nodiscard]] float unit_consumption(float consumption_at_full_cover, Cover unit);
 
-/// The distinct ends of the ranges of a stratum for one resource: species share most of them (table A.1 has 8 for 18 plants).
+/// The distinct ends of the ranges of a stratum for one resource: species share most of them (table A.1: 9 for moisture).
 struct RangeEnds {
   std::vector<float> lows;
   /// Ends of 9 and more are left out: no index is above them.

@@ -20,6 +20,16 @@ constexpr std::string_view stage = "plant competition";
 /// Units between two looks at the stop token: a few milliseconds.
 constexpr std::int64_t units_at_once = 1 << 15;
 
+/// Cells are compared by fitness in steps of 1/20 (12/240), like the cover of a unit: what differs by less counts as equal, and
+/// row order decides. Finer steps find hardly fitter cells, and have to look at each of them again whenever a little light is
+/// gone.
+constexpr int key_step = 12;
+
+/// Fitness in steps of 1/240 as a key: 0 for none, else at least 1.
+std::uint8_t key_of_fitness(std::uint8_t fitness) {
+  return fitness == 0 ? std::uint8_t(0) : std::uint8_t(std::max(1, (int(fitness) + key_step / 2) / key_step));
+}
+
 /// A plant that somebody wants: its number in the level and what one unit takes.
 struct Wanted {
   int plant = 0;
@@ -35,8 +45,8 @@ std::vector<Wanted> wanted_plants(const FoodWeb& web, std::span<const double> de
     if (!(desired[i] > 0)) continue;
     const PlantTraits& plant = web.species[std::size_t(web.levels[0][i])].plant();
     const Cover unit = unit_of(plant);
-    wanted.push_back({int(i), &plant, unit, unit_consumption(plant.light_consumption, unit),
-                      unit_consumption(plant.water_consumption, unit)});
+    wanted.push_back(
+        {int(i), &plant, unit, unit_consumption(plant.light_consumption, unit), unit_consumption(plant.water_consumption, unit)});
   }
   return wanted;
 }
@@ -105,9 +115,7 @@ class Landscape {
     return traits;
   }
 
-  [[nodiscard]] std::size_t cell_of(int x, int y) const {
-    return std::size_t(y) * std::size_t(width_) + std::size_t(x);
-  }
+  [[nodiscard]] std::size_t cell_of(int x, int y) const { return std::size_t(y) * std::size_t(width_) + std::size_t(x); }
 
   /// Fitness that nothing consumes, and with it the keys of an empty row.
   void start_row(int y) {
@@ -139,7 +147,7 @@ class Landscape {
     return light.mean - stock.light_taken > plant.light_taken && water.mean - stock.water_taken > plant.water_taken;
   }
 
-  /// The key that no shade and no thirst could raise: soil and temperature, own crowding, ground.
+  /// The fitness, in steps of 1/240, that no shade and no thirst could raise: soil and temperature, own crowding, ground.
   [[nodiscard]] std::uint8_t ceiling(std::size_t cell, std::size_t i) const {
     const Wanted& plant = wanted_[i];
     if (stock_[cell].ground[std::size_t(plant.traits->stratum)] < plant.unit) return 0;
@@ -156,6 +164,7 @@ class Landscape {
     }
     fitness_.limit(Resource::illumination, light, stock.light_taken, room, keys);
     fitness_.limit(Resource::moisture, water, stock.water_taken, room, keys);
+    for (std::uint8_t& key : keys) key = key_of_fitness(key);
   }
 
   /// The key of one plant in a cell as it is now. Keeps the cell's light and water for give_unit.
@@ -166,8 +175,8 @@ class Landscape {
     light_ = year_of(Resource::illumination, cell);
     water_ = year_of(Resource::moisture, cell);
     if (!is_fed(wanted_[i], stock, light_, water_)) return 0;
-    return std::min({most, fitness_.key_of(i, Resource::illumination, light_, stock.light_taken),
-                     fitness_.key_of(i, Resource::moisture, water_, stock.water_taken)});
+    return key_of_fitness(std::min({most, fitness_.key_of(i, Resource::illumination, light_, stock.light_taken),
+                                    fitness_.key_of(i, Resource::moisture, water_, stock.water_taken)}));
   }
 
   /// Gives a unit in the cell that was looked at last. Keys in the queues are upper bounds, looked at again when they come
@@ -179,13 +188,23 @@ class Landscape {
     stock.light_taken += plant.light_taken;
     stock.water_taken += plant.water_taken;
     stock.ground[std::size_t(plant.traits->stratum)] -= plant.unit;
+    prefetch(cell + 1);
     cover_[cell * wanted_.size() + i] += plant.unit;
-    priority_[i].set(cell, std::min(priority_[i].best(), ceiling(cell, i)));
+    priority_[i].set(cell, std::min(priority_[i].best(), key_of_fitness(ceiling(cell, i))));
     if (!may_rise) return;
     keys_of(cell, light_, water_, room_, keys_);
     for (std::size_t other = 0; other < wanted_.size(); ++other) {
       if (keys_[other] > priority_[other].key(cell)) priority_[other].set(cell, keys_[other]);
     }
+  }
+
+  /// Asks for what is known of a cell: plants mostly go from one cell to the next, but take turns, so that each finds its
+  /// next cell gone from the cache.
+  void prefetch(std::size_t cell) const {
+    if (cell >= stock_.size()) return;
+    __builtin_prefetch(&stock_[cell]);
+    __builtin_prefetch(&fixed_[cell * wanted_.size()]);
+    __builtin_prefetch(&cover_[cell * wanted_.size()]);
   }
 
   /// Whether the cell that was looked at last is, for part of the year, too bright or too wet for a plant that could live there.
@@ -195,7 +214,7 @@ class Landscape {
     for (std::size_t i = 0; i < wanted_.size(); ++i) {
       const PlantTraits& plant = *wanted_[i].traits;
       const bool too_much = plant.illumination.high < brightest || plant.moisture.high < wettest;
-      if (too_much && priority_[i].key(cell) < ceiling(cell, i)) return true;
+      if (too_much && priority_[i].key(cell) < key_of_fitness(ceiling(cell, i))) return true;
     }
     return false;
   }

@@ -31,6 +31,48 @@ __attribute__((target("avx2"))) void sum_avx2(const YearIntervals& year, float t
 }
 #endif
 
+BIOTOPE_INLINE YearIntervals year_intervals_inline(const std::array<float, months>& year) {
+  // Twelve months in two rows of lanes; the lanes beyond them hold the first months again.
+  constexpr std::size_t room = std::size_t(2 * lane_count);
+  std::array<float, room + 1> values{};
+  std::copy(year.begin(), year.end(), values.begin());
+  std::copy_n(year.begin(), room + 1 - months, values.begin() + months);
+  std::array<float, room> low{};
+  std::array<float, room> high{};
+  std::array<float, room> inverse_length{};
+  for (std::size_t first = 0; first < room; first += lane_count) {
+    Lanes month;
+    Lanes next;
+    std::memcpy(&month, values.data() + first, sizeof(month));
+    std::memcpy(&next, values.data() + first + 1, sizeof(next));
+    const Lanes least = smaller(month, next);
+    const Lanes most = larger(month, next);
+    const Lanes length = most - least;
+    const Lanes inverse = length > 0 ? 1 / length : lanes(point_slope);
+    std::memcpy(low.data() + first, &least, sizeof(least));
+    std::memcpy(high.data() + first, &most, sizeof(most));
+    std::memcpy(inverse_length.data() + first, &inverse, sizeof(inverse));
+  }
+  YearIntervals intervals;
+  std::copy_n(low.begin(), months, intervals.low.begin());
+  std::copy_n(high.begin(), months, intervals.high.begin());
+  std::copy_n(inverse_length.begin(), months, intervals.inverse_length.begin());
+  float sum = 0;
+  intervals.most = year.front();
+  for (const float value : year) {
+    sum += value;
+    intervals.most = std::max(intervals.most, value);
+  }
+  intervals.mean = sum / float(months);
+  return intervals;
+}
+
+#if defined(__x86_64__)
+__attribute__((target("avx2"))) YearIntervals year_intervals_avx2(const std::array<float, months>& year) {
+  return year_intervals_inline(year);
+}
+#endif
+
 /// Sums over the year of the ends of ranges, in as many rows of lanes as there are ends.
 void sum_by_end(const YearIntervals& year, float taken, std::span<const LaneValues> lows, std::span<const LaneValues> highs,
                 LaneValues* below, LaneValues* above) {
@@ -64,9 +106,12 @@ std::vector<LaneValues> in_lanes(const std::vector<float>& values) {
 
 Range range_of(const PlantTraits& plant, std::size_t resource) {
   switch (Resource(resource)) {
-    case Resource::illumination: return plant.illumination;
-    case Resource::temperature: return plant.temperature;
-    case Resource::moisture: return plant.moisture;
+    case Resource::illumination:
+      return plant.illumination;
+    case Resource::temperature:
+      return plant.temperature;
+    case Resource::moisture:
+      return plant.moisture;
   }
   return {};
 }
@@ -74,22 +119,10 @@ Range range_of(const PlantTraits& plant, std::size_t resource) {
 }  // namespace
 
 YearIntervals year_intervals(const std::array<float, months>& year) {
-  YearIntervals intervals;
-  float sum = 0;
-  for (std::size_t m = 0; m < months; ++m) sum += year[m];
-  for (std::size_t m = 0; m < months; ++m) {
-    const float next = year[m + 1 < months ? m + 1 : 0];
-    intervals.low[m] = std::min(year[m], next);
-    intervals.high[m] = std::max(year[m], next);
-  }
-  for (std::size_t m = 0; m < months; ++m) {
-    const float length = intervals.high[m] - intervals.low[m];
-    const float inverse = 1 / length;
-    intervals.inverse_length[m] = length > 0 ? inverse : point_slope;
-  }
-  intervals.mean = sum / float(months);
-  intervals.most = *std::max_element(year.begin(), year.end());
-  return intervals;
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx2")) return year_intervals_avx2(year);
+#endif
+  return year_intervals_inline(year);
 }
 
 FloraFitness::FloraFitness(std::span<const PlantTraits* const> plants) {

@@ -34,8 +34,26 @@ class CellPriority {
   /// The highest key of all.
   [[nodiscard]] std::uint8_t best() const { return best_; }
 
-  /// The first cell that has the highest key.
-  [[nodiscard]] std::size_t first_best() const {
+  /// The first cell that has the highest key. Mostly it is near the last one found, before which nothing is as high.
+  [[nodiscard]] std::size_t first_best() {
+    const std::size_t rest = block - last_ % block;
+    const void* const near = std::memchr(floors_[0].data() + last_, best_, rest);
+    last_ = near != nullptr ? std::size_t(static_cast<const std::uint8_t*>(near) - floors_[0].data()) : search();
+    return last_;
+  }
+
+  void set(std::size_t cell, std::uint8_t key) {
+    const std::uint8_t highest = best_;
+    if (key >= highest) last_ = std::min(last_, cell);
+    change(cell, key);
+    if (best_ != highest) last_ = 0;
+  }
+
+ private:
+  static constexpr std::size_t block = 64;
+
+  /// The first cell that has the highest key, found from the top of the tree.
+  [[nodiscard]] std::size_t search() const {
     std::size_t i = 0;
     for (std::size_t floor = floors_.size(); floor-- > 0;) {
       const std::uint8_t* const keys = floors_[floor].data() + i * block;
@@ -44,7 +62,7 @@ class CellPriority {
     return i;
   }
 
-  void set(std::size_t cell, std::uint8_t key) {
+  void change(std::size_t cell, std::uint8_t key) {
     for (std::size_t floor = 0; floor < floors_.size(); ++floor) {
       std::vector<std::uint8_t>& keys = floors_[floor];
       const std::uint8_t old = keys[cell];
@@ -63,9 +81,6 @@ class CellPriority {
     best_ = key;
   }
 
- private:
-  static constexpr std::size_t block = 64;
-
   [[nodiscard]] std::uint8_t maximum(std::size_t floor, std::size_t i) const {
     const std::uint8_t* const keys = floors_[floor].data() + i * block;
     std::uint8_t most = 0;
@@ -75,6 +90,7 @@ class CellPriority {
 
   std::vector<std::vector<std::uint8_t>> floors_;  ///< cells, then maxima of blocks, blocks of blocks, ..
   std::uint8_t best_ = 0;
+  std::size_t last_ = 0;  ///< no cell before it has the highest key
 };
 
 }  // namespace biotope

@@ -14,7 +14,7 @@ enum class NodeKind : std::uint8_t { bank, vegetation, prey };
 
 /// An amount of one species that a node offers.
 struct ResourceQuantity {
-  int species = 0;               ///< number in the food web
+  int species = 0;                ///< number in the food web
   double kilograms_per_year = 0;  ///< yearly growth within the node, before anybody eats
   double available = 0;           ///< what the levels below left of it, kg per year
 };

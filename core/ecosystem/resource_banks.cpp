@@ -16,7 +16,8 @@ void add_drinkable(const Hydrology& hydrology, int y, std::vector<std::uint8_t>&
   const auto water = hydrology.water.row(y);
   const auto discharge = hydrology.discharge.row(y);
   for (std::size_t x = 0; x < wet.size(); ++x) {
-    const bool fresh = (water[x] == WaterKind::river) | (water[x] == WaterKind::lake) | ((discharge[x] > 0) & (water[x] != WaterKind::sea));
+    const bool fresh =
+        (water[x] == WaterKind::river) | (water[x] == WaterKind::lake) | ((discharge[x] > 0) & (water[x] != WaterKind::sea));
     wet[x] = std::uint8_t(wet[x] | std::uint8_t(fresh));
   }
 }
@@ -49,7 +50,8 @@ PlacesWithFood places_with_food(const Partition& partition, const GraphLevel& gr
   return places;
 }
 
-/// Stretches to keep: the longest in each square and piece first, so that they are spread over the map, but before all one for every region that has food.
+/// Stretches to keep: the longest in each square and piece first, so that they are spread over the map, but before all one for
+/// every region that has food.
 std::vector<char> choose_banks(const ResourceSources& sources, const std::vector<Area>& banks, const GraphLevel& graph) {
   const int side = patch_side(*sources.ground.terrain, 0);
   std::vector<std::size_t> order(banks.size());
@@ -66,7 +68,9 @@ std::vector<char> choose_banks(const ResourceSources& sources, const std::vector
   const PlacesWithFood all = thirsty;
   std::vector<char> keep(banks.size());
   std::size_t kept = 0;
-  const auto regions = [&](std::size_t bank) -> const std::vector<int>& { return sources.partition.pieces[std::size_t(banks[bank].value)].region; };
+  const auto regions = [&](std::size_t bank) -> const std::vector<int>& {
+    return sources.partition.pieces[std::size_t(banks[bank].value)].region;
+  };
   for (const std::size_t bank : order) {
     for (std::size_t i = 0; i < regions(bank).size(); ++i) {
       if (thirsty.erase({int(i), regions(bank)[i]}) > 0) keep[bank] = 1;
@@ -74,7 +78,7 @@ std::vector<char> choose_banks(const ResourceSources& sources, const std::vector
     kept += std::size_t(keep[bank]);
   }
   for (const std::size_t bank : order) {
-    if (kept >= most_bank_nodes) break;
+    if (kept >= node_limits(sources.level).banks) break;
     bool useful = false;
     for (std::size_t i = 0; i < regions(bank).size(); ++i) useful = useful || all.contains({int(i), regions(bank)[i]});
     if (!useful || keep[bank]) continue;

@@ -17,25 +17,7 @@ std::vector<char> edible_to_level(const FoodWeb& web, int level) {
   return edible;
 }
 
-std::vector<double> available_by_piece(const GraphLevel& graph, std::size_t pieces, int resource) {
-  std::vector<double> available(pieces);
-  for (const ResourceNode& node : graph.nodes) {
-    for (const ResourceQuantity& quantity : node.quantities) {
-      if (quantity.species == resource) available[std::size_t(node.piece)] += quantity.available;
-    }
-  }
-  return available;
-}
-
-std::vector<double> eaten_share(const AnimalLevel& level, int resource) {
-  const auto& eaten = level.eaten[std::size_t(resource)];
-  if (std::all_of(eaten.begin(), eaten.end(), [](double kilograms) { return kilograms <= 0; })) return {};
-  std::vector<double> share = available_by_piece(*level.graph, eaten.size(), resource);
-  for (std::size_t piece = 0; piece < share.size(); ++piece) {
-    share[piece] = share[piece] > 0 ? std::min(1.0, eaten[piece] / share[piece]) : 0;
-  }
-  return share;
-}
+NodeLimits node_limits(int level) { return level == 1 ? NodeLimits{180, 0, 120} : NodeLimits{110, 90, 100}; }
 
 int patch_side(const Terrain& terrain, std::size_t present_cells) {
   const double longer = std::max(terrain.height.width(), terrain.height.height());
@@ -72,11 +54,11 @@ std::vector<std::int64_t> number_values(RunTable& table) {
   return values;
 }
 
-GraphLevel build_resource_nodes(const ResourceSources& sources, const TaskContext& context) {
+GraphLevel build_resource_nodes(const ResourceSources& sources, std::span<const PreySupply> prey, const TaskContext& context) {
   GraphLevel graph;
   graph.level = sources.level;
   if (!context.stopped()) add_vegetation_nodes(sources, graph);
-  if (!context.stopped()) add_prey_nodes(sources, graph);
+  if (!context.stopped()) add_prey_nodes(sources, prey, graph);
   if (!context.stopped()) add_bank_nodes(sources, graph);
   std::shared_ptr<const Grid<std::int32_t>> nowhere;
   for (auto& grid : graph.node_of_cell) {

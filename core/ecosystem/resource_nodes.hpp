@@ -13,11 +13,14 @@ namespace biotope {
 inline constexpr float presence_cover = 0.2F;
 /// Longest stretch of bank that is one node, m.
 inline constexpr double longest_bank = 300;
-/// Nodes that a level keeps at most, by kind. Our choice: a graph that people can read and travel times that stay cheap. Banks may be more
-/// where that many regions would otherwise have no water.
-inline constexpr std::size_t most_vegetation_nodes = 180;
-inline constexpr std::size_t most_prey_nodes = 120;
-inline constexpr std::size_t most_bank_nodes = 120;
+/// Nodes that a level keeps at most, by kind. Our choice: a graph that people can read and travel times that stay cheap. Banks
+/// may be more where that many regions would otherwise have no water.
+struct NodeLimits {
+  std::size_t vegetation = 180;
+  std::size_t prey = 0;
+  std::size_t banks = 120;
+};
+[[nodiscard]] NodeLimits node_limits(int level);
 
 /// What the nodes of a level are made from.
 struct ResourceSources {
@@ -31,27 +34,56 @@ struct ResourceSources {
   std::span<const std::shared_ptr<const AnimalLevel>> below;
 };
 
+/// Prey of one species that lives in one of its regions and in one piece of this level.
+struct PreySupply {
+  int species = 0;
+  int region = 0;
+  int piece = 0;
+  double growth = 0;     ///< kg per year
+  double available = 0;  ///< what the levels below this one left
+  Area area;
+  NearestCell nearest;
+};
+/// All prey of the level with something left, by species.
+[[nodiscard]] std::vector<PreySupply> find_prey(const ResourceSources& sources);
+
+/// kg a year that the levels below left, by resource species and piece: of plants all growth in the piece's cells.
+[[nodiscard]] std::vector<std::vector<double>> available_supply(const ResourceSources& sources, std::span<const PreySupply> prey);
+
 /// Banks, vegetation and prey that the species of a level can reach, with quantities; see paper section 5.
-[[nodiscard]] GraphLevel build_resource_nodes(const ResourceSources& sources, const TaskContext& context = {});
+[[nodiscard]] GraphLevel build_resource_nodes(const ResourceSources& sources, std::span<const PreySupply> prey,
+                                              const TaskContext& context = {});
 
 /// Whether some species of the level eats it, by species number.
 [[nodiscard]] std::vector<char> edible_to_level(const FoodWeb& web, int level);
 
-/// What a level found of a resource in each piece of its partition, kg per year.
-[[nodiscard]] std::vector<double> available_by_piece(const GraphLevel& graph, std::size_t pieces, int resource);
+/// Sums of cover (1/full_cover cells) by group and map: sums[group * maps + map]; the runs' values are the groups. Parallel;
+/// whole numbers, so any order of adding gives the same.
+[[nodiscard]] std::vector<std::uint64_t> cover_sums(const RunTable& table, std::size_t groups,
+                                                    std::span<const CoverMap* const> covers);
 
-/// Share 0..1 of what it found of a resource in each piece that a level ate; empty when it ate nothing of it.
-[[nodiscard]] std::vector<double> eaten_share(const AnimalLevel& level, int resource);
+/// Yearly growth of a summed cover, kg.
+[[nodiscard]] double growth_of(const FoodWeb& web, int plant, std::uint64_t cover_sum, double cell_area);
 
-/// Side (cells) of the lattice that cuts large meadows and woods when `present_cells` cells of strata are covered: 400 m, a tenth of the map's
-/// longer side, and wide enough that about 150 squares are present. Our choice.
+/// Side (cells) of the lattice that cuts large meadows and woods when `present_cells` cells of strata are covered: 400 m, a tenth
+/// of the map's longer side, and wide enough that about 150 squares are present. Our choice.
 [[nodiscard]] int patch_side(const Terrain& terrain, std::size_t present_cells);
 
-/// Parts of the nodes, in the order in which they are numbered. Each fills the kind's nodes and, but for prey, the grid of its cells.
+/// Parts of the nodes, in the order in which they are numbered. Each fills the kind's nodes and, but for prey, the grid of its
+/// cells.
 void add_vegetation_nodes(const ResourceSources& sources, GraphLevel& graph);
-void add_prey_nodes(const ResourceSources& sources, GraphLevel& graph);
+void add_prey_nodes(const ResourceSources& sources, std::span<const PreySupply> prey, GraphLevel& graph);
 /// Last: only regions that have something to eat need water.
 void add_bank_nodes(const ResourceSources& sources, GraphLevel& graph);
+
+/// A patch of vegetation that may become a node.
+struct VegetationPatch {
+  int piece = 0;
+  std::vector<ResourceQuantity> quantities;
+};
+/// The patches that are kept, at most `node_limits`: up to half of them the richest of each region for each need, from the region
+/// that grows most on, so that a region of some weight is not forgotten over the largest; then those that grow most.
+[[nodiscard]] std::vector<char> choose_patches(const ResourceSources& sources, std::span<const VegetationPatch> patches);
 
 /// A node over an area.
 [[nodiscard]] ResourceNode node_of_area(const Area& area, NearestCell position, double cell_area);

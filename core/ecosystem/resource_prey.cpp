@@ -1,195 +1,149 @@
 #include <algorithm>
 #include <functional>
-#include <set>
 
+#include "core/ecosystem/eaten_zones.hpp"
 #include "core/ecosystem/resource_nodes.hpp"
 
 namespace biotope {
 namespace {
 
-/// A prey species of the level and who ate of it between its own level and this one.
-struct Prey {
-  int species = 0;
+/// Prey species of one level that share a map of regions.
+struct PreyGroup {
   const AnimalLevel* own_level = nullptr;
-  std::size_t index = 0;  ///< in own_level->species
-  /// Levels between that ate of it, with the shares and the (region, piece) pairs where they found it.
-  struct Eaters {
-    const AnimalLevel* level = nullptr;
-    std::vector<double> share;
-    std::set<std::pair<int, int>> found;
-  };
-  std::vector<Eaters> eaters;
-
-  [[nodiscard]] const ConfinementRegions& regions() const { return *own_level->regions[index]; }
+  const ConfinementRegions* regions = nullptr;
+  std::vector<int> species;
+  std::vector<std::size_t> index;  ///< of each species in the level
 };
 
-std::vector<Prey> prey_of_level(const ResourceSources& sources) {
-  std::vector<Prey> result;
+std::vector<PreyGroup> prey_groups(const ResourceSources& sources) {
+  std::vector<PreyGroup> groups;
   const std::vector<char> edible = edible_to_level(sources.web, sources.level);
   for (const auto& level : sources.below) {
     for (std::size_t i = 0; i < level->species.size(); ++i) {
-      const int species = level->species[i];
-      if (!edible[std::size_t(species)]) continue;
-      Prey prey{species, level.get(), i, {}};
-      for (const auto& above : sources.below) {
-        std::vector<double> share = above->level > level->level ? eaten_share(*above, species) : std::vector<double>{};
-        if (share.empty()) continue;
-        Prey::Eaters& eaters = prey.eaters.emplace_back(Prey::Eaters{above.get(), std::move(share), {}});
-        for (const ResourceNode& node : above->graph->nodes) {
-          if (node.kind == NodeKind::prey && node.group == species) eaters.found.insert({node.prey_region, node.piece});
-        }
-      }
-      result.push_back(std::move(prey));
+      if (!edible[std::size_t(level->species[i])]) continue;
+      auto group = std::find_if(groups.begin(), groups.end(), [&](const PreyGroup& own) {
+        return own.own_level == level.get() && own.regions == level->regions[i].get();
+      });
+      if (group == groups.end()) group = groups.insert(groups.end(), {level.get(), level->regions[i].get(), {}, {}});
+      group->species.push_back(level->species[i]);
+      group->index.push_back(i);
     }
   }
-  return result;
+  return groups;
 }
 
-/// Where the regions of a prey overlap the pieces of this level; one map serves all prey that share regions and eaters.
-struct Overlaps {
-  const ConfinementRegions* regions = nullptr;
-  std::vector<const AnimalLevel*> eaters;
-  /// Runs numbered by (region, piece, piece of each eater).
-  RunTable table;
-  struct Zone {
-    std::int32_t pair = 0;  ///< in `pairs`
-    std::vector<std::int64_t> eater_piece;
-    std::size_t cells = 0;
-  };
-  std::vector<Zone> zones;
-  struct Pair {
-    std::int64_t region = 0;
-    std::int64_t piece = 0;
-  };
-  std::vector<Pair> pairs;
-  std::vector<Area> areas;  ///< by pair
-  std::vector<NearestCell> nearest;
+/// Overlap of a region with a piece, and the zones of what was eaten in it.
+struct Overlap {
+  std::int64_t region = 0;
+  std::int64_t piece = 0;
+  Area area;
+  NearestCell nearest;
+  std::vector<std::pair<std::int64_t, std::size_t>> cells_of_zone;
 };
 
-Overlaps find_overlaps(const Prey& prey, const Partition& partition) {
-  Overlaps result;
-  result.regions = &prey.regions();
-  for (const auto& eaters : prey.eaters) result.eaters.push_back(eaters.level);
+std::vector<Overlap> find_overlaps(const ConfinementRegions& regions, const Partition& partition, const EatenZones& zones) {
   const std::int64_t pieces = std::int64_t(partition.pieces.size());
   const Grid<std::int32_t>& label = partition.label;
-  result.table = collect_runs(label.width(), label.height(), [&](int y, std::span<std::int64_t> out) {
-    const auto region = result.regions->label.row(y);
+  RunTable table = collect_runs(label.width(), label.height(), [&](int y, std::span<std::int64_t> out) {
+    const auto region = regions.label.row(y);
     const auto piece = label.row(y);
-    for (std::size_t x = 0; x < out.size(); ++x) {
-      std::int64_t value = (region[x] | piece[x]) < 0 ? -1 : std::int64_t(region[x]) * pieces + piece[x];
-      for (std::size_t i = 0; value >= 0 && i < result.eaters.size(); ++i) {
-        const Partition& other = *result.eaters[i]->partition;
-        value = value * std::int64_t(other.pieces.size() + 1) + other.label.row(y)[x] + 1;
-      }
-      out[x] = value;
-    }
+    for (std::size_t x = 0; x < out.size(); ++x) out[x] = (region[x] | piece[x]) < 0 ? -1 : region[x] * pieces + piece[x];
+    zones.refine_row(y, out);
   });
-  const std::vector<std::int64_t> values = number_values(result.table);
+  const std::vector<std::int64_t> values = number_values(table);
   RunTable pair_table;
-  pair_table.runs.reserve(values.size());
-  for (std::int64_t value : values) {
-    Overlaps::Zone zone;
-    for (std::size_t i = result.eaters.size(); i-- > 0;) {
-      const std::int64_t base = std::int64_t(result.eaters[i]->partition->pieces.size()) + 1;
-      zone.eater_piece.insert(zone.eater_piece.begin(), value % base - 1);
-      value /= base;
-    }
-    pair_table.runs.push_back({0, 1, value});
-    result.zones.push_back(std::move(zone));
-  }
-  for (const std::int64_t pair : number_values(pair_table)) result.pairs.push_back({pair / pieces, pair % pieces});
-  for (std::size_t i = 0; i < result.zones.size(); ++i) result.zones[i].pair = std::int32_t(pair_table.runs[i].value);
+  for (const std::int64_t value : values) pair_table.runs.push_back({0, 1, value / zones.count()});
+  const std::vector<std::int64_t> pairs = number_values(pair_table);
 
-  result.areas.resize(result.pairs.size());
-  std::vector<std::int32_t> pair_of_run(result.table.runs.size());
+  std::vector<Area> areas(pairs.size());
+  std::vector<std::size_t> cells(values.size());
+  std::vector<std::int32_t> pair_of_run(table.runs.size());
   for (int y = 0; y < label.height(); ++y) {
-    for (std::size_t i = result.table.row_start[std::size_t(y)]; i < result.table.row_start[std::size_t(y) + 1]; ++i) {
-      const CellRun& run = result.table.runs[i];
-      Overlaps::Zone& zone = result.zones[std::size_t(run.value)];
-      zone.cells += std::size_t(run.x1 - run.x0);
-      pair_of_run[i] = zone.pair;
-      result.areas[std::size_t(zone.pair)].add_run(y, run);
+    for (std::size_t i = table.row_start[std::size_t(y)]; i < table.row_start[std::size_t(y) + 1]; ++i) {
+      const CellRun& run = table.runs[i];
+      pair_of_run[i] = std::int32_t(pair_table.runs[std::size_t(run.value)].value);
+      cells[std::size_t(run.value)] += std::size_t(run.x1 - run.x0);
+      areas[std::size_t(pair_of_run[i])].add_run(y, run);
     }
   }
-  result.nearest = nearest_to_centroid(result.table, pair_of_run, result.areas);
-  return result;
+  const std::vector<NearestCell> nearest = nearest_to_centroid(table, pair_of_run, areas);
+  std::vector<Overlap> overlaps;
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    overlaps.push_back({pairs[i] / pieces, pairs[i] % pieces, areas[i], nearest[i], {}});
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    overlaps[std::size_t(pair_table.runs[i].value)].cells_of_zone.emplace_back(values[i] % zones.count(), cells[i]);
+  }
+  return overlaps;
 }
 
-/// Nodes of one prey species over the pieces its regions overlap.
-std::vector<ResourceNode> nodes_of_prey(const ResourceSources& sources, const Prey& prey, const Overlaps& overlaps) {
-  const AnimalTraits& animal = sources.web.species[std::size_t(prey.species)].animal();
-  const auto& population = prey.own_level->population[prey.index];
-  const double cell_area = sources.ground.terrain->cell_area();
-  const auto growth_of_cells = [&](std::int64_t region, std::size_t cells) {
-    return population[std::size_t(region)] * double(animal.growth_rate) * double(animal.mean_mass()) * double(cells) /
-           double(prey.regions().regions[std::size_t(region)].cells);
-  };
-  std::vector<double> available(overlaps.pairs.size());
-  for (const Overlaps::Zone& zone : overlaps.zones) {
-    const std::int64_t region = overlaps.pairs[std::size_t(zone.pair)].region;
-    double left = growth_of_cells(region, zone.cells);
-    for (std::size_t i = 0; i < prey.eaters.size(); ++i) {
-      const int piece = int(zone.eater_piece[i]);
-      if (piece >= 0 && prey.eaters[i].found.contains({int(region), piece})) left *= 1 - prey.eaters[i].share[std::size_t(piece)];
-    }
-    available[std::size_t(zone.pair)] += left;
+/// Supplies of one species of a group.
+void add_supplies(const ResourceSources& sources, const PreyGroup& group, std::size_t member,
+                  const std::vector<Overlap>& overlaps, const EatenZones& zones, std::vector<PreySupply>& out) {
+  const AnimalTraits& animal = sources.web.species[std::size_t(group.species[member])].animal();
+  for (const Overlap& overlap : overlaps) {
+    const double individuals = group.own_level->population[group.index[member]][std::size_t(overlap.region)];
+    const double growth_of_cell = individuals * double(animal.growth_rate) * double(animal.mean_mass()) /
+                                  double(group.regions->regions[std::size_t(overlap.region)].cells);
+    PreySupply supply{
+        group.species[member], int(overlap.region), int(overlap.piece), growth_of_cell * double(overlap.area.cells), 0,
+        overlap.area,          overlap.nearest};
+    for (const auto& [zone, cells] : overlap.cells_of_zone)
+      supply.available += growth_of_cell * double(cells) * zones.left(zone, member);
+    supply.available = std::min(supply.available, supply.growth);
+    if (supply.available > 0) out.push_back(supply);
   }
-  std::vector<ResourceNode> nodes;
-  for (std::size_t pair = 0; pair < overlaps.pairs.size(); ++pair) {
-    if (available[pair] <= 0 || overlaps.areas[pair].cells < minimum_region_cells(sources.ground.terrain->cell_size)) continue;
-    ResourceNode node = node_of_area(overlaps.areas[pair], overlaps.nearest[pair], cell_area);
-    node.kind = NodeKind::prey;
-    node.group = prey.species;
-    node.prey_region = int(overlaps.pairs[pair].region);
-    node.piece = int(overlaps.pairs[pair].piece);
-    const double growth = growth_of_cells(overlaps.pairs[pair].region, overlaps.areas[pair].cells);
-    node.quantities.push_back({prey.species, growth, std::min(growth, available[pair])});
-    const AnimalLevel& own = *prey.own_level;
-    for (std::size_t i = 0; i < own.graph->nodes.size(); ++i) {
-      const auto& piece = own.partition->pieces[std::size_t(own.graph->nodes[i].piece)];
-      if (piece.region[prey.index] == node.prey_region) node.built_from.push_back(int(i));
-    }
-    nodes.push_back(std::move(node));
+}
+
+/// Nodes of the prey's own level in its region.
+std::vector<int> nodes_in_region(const ResourceSources& sources, const PreySupply& supply) {
+  std::vector<int> nodes;
+  const AnimalLevel& own = *sources.below[std::size_t(sources.web.level[std::size_t(supply.species)]) - 1];
+  const std::size_t index = std::size_t(std::find(own.species.begin(), own.species.end(), supply.species) - own.species.begin());
+  for (std::size_t i = 0; i < own.graph->nodes.size(); ++i) {
+    if (own.partition->pieces[std::size_t(own.graph->nodes[i].piece)].region[index] == supply.region) nodes.push_back(int(i));
   }
   return nodes;
 }
 
-/// Two prey with the same regions and eaters overlap the pieces alike.
-bool overlap_alike(const Prey& a, const Prey& b) {
-  return &a.regions() == &b.regions() && std::equal(a.eaters.begin(), a.eaters.end(), b.eaters.begin(), b.eaters.end(),
-                                                    [](const auto& x, const auto& y) { return x.level == y.level; });
-}
-
-/// Keeps the nodes that offer most, in their order.
-void keep_most(std::vector<ResourceNode>& nodes) {
-  if (nodes.size() <= most_prey_nodes) return;
-  std::vector<double> amounts;
-  for (const ResourceNode& node : nodes) amounts.push_back(node.quantities.front().available);
-  std::nth_element(amounts.begin(), amounts.begin() + most_prey_nodes, amounts.end(), std::greater<>());
-  const double first_left_out = amounts[most_prey_nodes];
-  std::erase_if(nodes, [&](const ResourceNode& node) { return node.quantities.front().available <= first_left_out; });
-}
-
 }  // namespace
 
-void add_prey_nodes(const ResourceSources& sources, GraphLevel& graph) {
-  const std::vector<Prey> all = prey_of_level(sources);
-  std::vector<std::size_t> overlaps_of_prey;
-  std::vector<const Prey*> first_prey;
-  for (const Prey& prey : all) {
-    const auto found = std::find_if(first_prey.begin(), first_prey.end(), [&](const Prey* first) { return overlap_alike(*first, prey); });
-    overlaps_of_prey.push_back(std::size_t(found - first_prey.begin()));
-    if (found == first_prey.end()) first_prey.push_back(&prey);
-  }
-  std::vector<Overlaps> overlaps(first_prey.size());
-  parallel_each(overlaps.size(), [&](std::size_t i) { overlaps[i] = find_overlaps(*first_prey[i], sources.partition); });
+std::vector<PreySupply> find_prey(const ResourceSources& sources) {
+  const std::vector<PreyGroup> groups = prey_groups(sources);
+  std::vector<std::vector<PreySupply>> found(groups.size());
+  parallel_each(groups.size(), [&](std::size_t g) {
+    const EatenZones zones(sources.below, groups[g].species);
+    const std::vector<Overlap> overlaps = find_overlaps(*groups[g].regions, sources.partition, zones);
+    for (std::size_t i = 0; i < groups[g].species.size(); ++i) add_supplies(sources, groups[g], i, overlaps, zones, found[g]);
+  });
+  std::vector<PreySupply> all;
+  for (const auto& own : found) all.insert(all.end(), own.begin(), own.end());
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.species < b.species; });
+  return all;
+}
 
-  std::vector<ResourceNode> nodes;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    for (ResourceNode& node : nodes_of_prey(sources, all[i], overlaps[overlaps_of_prey[i]])) nodes.push_back(std::move(node));
+void add_prey_nodes(const ResourceSources& sources, std::span<const PreySupply> prey, GraphLevel& graph) {
+  const std::size_t minimum = minimum_region_cells(sources.ground.terrain->cell_size);
+  std::vector<double> amounts;
+  for (const PreySupply& supply : prey) {
+    if (supply.area.cells >= minimum) amounts.push_back(supply.available);
   }
-  keep_most(nodes);
-  for (ResourceNode& node : nodes) graph.nodes.push_back(std::move(node));
+  double first_left_out = 0;
+  const std::size_t most = node_limits(sources.level).prey;
+  if (amounts.size() > most) {
+    std::nth_element(amounts.begin(), amounts.begin() + std::ptrdiff_t(most), amounts.end(), std::greater<>());
+    first_left_out = amounts[most];
+  }
+  for (const PreySupply& supply : prey) {
+    if (supply.area.cells < minimum || supply.available <= first_left_out) continue;
+    ResourceNode node = node_of_area(supply.area, supply.nearest, sources.ground.terrain->cell_area());
+    node.kind = NodeKind::prey;
+    node.group = supply.species;
+    node.prey_region = supply.region;
+    node.piece = supply.piece;
+    node.quantities.push_back({supply.species, supply.growth, supply.available});
+    node.built_from = nodes_in_region(sources, supply);
+    graph.nodes.push_back(std::move(node));
+  }
 }
 
 }  // namespace biotope

@@ -1,9 +1,7 @@
-#include <tbb/enumerable_thread_specific.h>
-
 #include <algorithm>
 #include <array>
-#include <numeric>
 
+#include "core/ecosystem/eaten_zones.hpp"
 #include "core/ecosystem/resource_nodes.hpp"
 
 namespace biotope {
@@ -50,73 +48,42 @@ RunTable present_runs(const EdibleStratum& stratum, const Partition& partition) 
   });
 }
 
-/// Sums of cover by group (the runs' values) and map. Whole numbers, so any order of adding gives the same.
-std::vector<std::uint64_t> cover_sums(const RunTable& table, std::size_t groups, const std::vector<const CoverMap*>& covers) {
-  const std::size_t maps = covers.size();
-  tbb::enumerable_thread_specific<std::vector<std::uint64_t>> partial([&] { return std::vector<std::uint64_t>(groups * maps); });
-  parallel_rows(0, table.height, [&](int y) {
-    const auto runs = table.row(y);
-    if (runs.empty()) return;
-    auto& sums = partial.local();
-    std::vector<Cover> cover(static_cast<std::size_t>(table.width));
-    for (std::size_t map = 0; map < maps; ++map) {
-      covers[map]->read_row(y, 0, cover);
-      for (const CellRun& run : runs) {
-        sums[std::size_t(run.value) * maps + map] += std::accumulate(cover.begin() + run.x0, cover.begin() + run.x1, std::uint64_t{0});
-      }
-    }
-  });
-  std::vector<std::uint64_t> total(groups * maps);
-  for (const auto& sums : partial) {
-    for (std::size_t i = 0; i < total.size(); ++i) total[i] += sums[i];
+/// Quantities of a patch.
+std::vector<ResourceQuantity> patch_quantities(const ResourceSources& sources, const EdibleStratum& stratum, std::size_t patch) {
+  std::vector<ResourceQuantity> quantities;
+  const std::size_t plants = stratum.species.size();
+  for (std::size_t i = 0; i < plants; ++i) {
+    const double kilograms =
+        growth_of(sources.web, stratum.species[i], stratum.sums[patch * plants + i], sources.ground.terrain->cell_area());
+    if (kilograms > 0) quantities.push_back({stratum.species[i], kilograms, kilograms});
   }
-  return total;
+  return quantities;
 }
 
-/// Yearly growth of a summed cover, kg.
-double growth_of(const FoodWeb& web, int plant, std::uint64_t cover_sum, double cell_area) {
-  return double(cover_sum) / full_cover * cell_area * double(web.species[std::size_t(plant)].plant().growth);
-}
-
-/// Makes nodes of the patches that grow most, over all strata.
-void keep_richest(const ResourceSources& sources, std::array<EdibleStratum, strata>& all, GraphLevel& graph) {
-  struct Candidate {
-    std::size_t stratum = 0;
-    std::size_t patch = 0;
-    double kilograms = 0;
-  };
-  const double cell_area = sources.ground.terrain->cell_area();
-  std::vector<Candidate> candidates;
-  for (std::size_t s = 0; s < all.size(); ++s) {
-    const std::size_t plants = all[s].species.size();
-    all[s].node_of_patch.assign(all[s].patches.patches.size(), -1);
-    for (std::size_t patch = 0; patch < all[s].patches.patches.size(); ++patch) {
-      double kilograms = 0;
-      for (std::size_t i = 0; i < plants; ++i) kilograms += growth_of(sources.web, all[s].species[i], all[s].sums[patch * plants + i], cell_area);
-      if (kilograms > 0) candidates.push_back({s, patch, kilograms});
+/// Makes nodes of the patches that are kept, over all strata.
+void make_nodes(const ResourceSources& sources, std::array<EdibleStratum, strata>& all, GraphLevel& graph) {
+  std::vector<VegetationPatch> candidates;
+  for (const EdibleStratum& stratum : all) {
+    for (std::size_t patch = 0; patch < stratum.patches.patches.size(); ++patch) {
+      candidates.push_back({int(stratum.patches.patches[patch].value), patch_quantities(sources, stratum, patch)});
     }
   }
-  std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) { return a.kilograms > b.kilograms; });
-  if (candidates.size() > most_vegetation_nodes) candidates.resize(most_vegetation_nodes);
-  for (const Candidate& kept : candidates) all[kept.stratum].node_of_patch[kept.patch] = 0;
-
+  const std::vector<char> keep = choose_patches(sources, candidates);
+  std::size_t candidate = 0;
   for (std::size_t s = 0; s < all.size(); ++s) {
-    if (all[s].patches.patches.empty()) continue;
-    std::vector<std::int32_t> patch_of_run(all[s].patches.runs.runs.size());
-    for (std::size_t i = 0; i < patch_of_run.size(); ++i) patch_of_run[i] = std::int32_t(all[s].patches.runs.runs[i].value);
-    const auto nearest = nearest_to_centroid(all[s].patches.runs, patch_of_run, all[s].patches.patches);
-    const std::size_t plants = all[s].species.size();
-    for (std::size_t patch = 0; patch < nearest.size(); ++patch) {
-      if (all[s].node_of_patch[patch] < 0) continue;
+    const Patches& own = all[s].patches;
+    all[s].node_of_patch.assign(own.patches.size(), -1);
+    std::vector<std::int32_t> patch_of_run(own.runs.runs.size());
+    for (std::size_t i = 0; i < patch_of_run.size(); ++i) patch_of_run[i] = std::int32_t(own.runs.runs[i].value);
+    const auto nearest = nearest_to_centroid(own.runs, patch_of_run, own.patches);
+    for (std::size_t patch = 0; patch < own.patches.size(); ++patch, ++candidate) {
+      if (!keep[candidate]) continue;
       all[s].node_of_patch[patch] = std::int32_t(graph.nodes.size());
-      ResourceNode node = node_of_area(all[s].patches.patches[patch], nearest[patch], cell_area);
+      ResourceNode node = node_of_area(own.patches[patch], nearest[patch], sources.ground.terrain->cell_area());
       node.kind = NodeKind::vegetation;
       node.group = int(s);
-      node.piece = int(all[s].patches.patches[patch].value);
-      for (std::size_t i = 0; i < plants; ++i) {
-        const double kilograms = growth_of(sources.web, all[s].species[i], all[s].sums[patch * plants + i], cell_area);
-        if (kilograms > 0) node.quantities.push_back({all[s].species[i], kilograms, kilograms});
-      }
+      node.piece = candidates[candidate].piece;
+      node.quantities = std::move(candidates[candidate].quantities);
       graph.nodes.push_back(std::move(node));
     }
   }
@@ -135,69 +102,31 @@ std::shared_ptr<const Grid<std::int32_t>> node_grid(const EdibleStratum& stratum
   return grid;
 }
 
-/// What a level below took of the stratum.
-struct EatenBelow {
-  const GraphLevel* graph = nullptr;
-  const Grid<std::int32_t>* node_of_cell = nullptr;
-  std::int64_t pieces = 0;
-  /// Share eaten by plant of the stratum and piece; empty when none was.
-  std::vector<std::vector<double>> share;
-};
-
-std::vector<EatenBelow> eaten_below(const ResourceSources& sources, const EdibleStratum& stratum, std::size_t s) {
-  std::vector<EatenBelow> result;
-  for (const auto& level : sources.below) {
-    EatenBelow own{level->graph.get(), level->graph->node_of_cell[s].get(), std::int64_t(level->partition->pieces.size()), {}};
-    bool anything = false;
-    for (const int plant : stratum.species) {
-      own.share.push_back(eaten_share(*level, plant));
-      anything = anything || !own.share.back().empty();
-    }
-    if (anything) result.push_back(std::move(own));
-  }
-  return result;
-}
-
-/// Subtracts from the nodes' quantities what levels below ate there, cell by cell: a level's share applies to the cells of its own nodes.
+/// Subtracts from the nodes' quantities what levels below ate there.
 void subtract_eaten(const ResourceSources& sources, const EdibleStratum& stratum, std::size_t s, GraphLevel& graph) {
-  const std::vector<EatenBelow> below = eaten_below(sources, stratum, s);
-  if (below.empty()) return;
-  std::int64_t zones = 1;
-  for (const EatenBelow& level : below) zones *= level.pieces + 1;
+  const EatenZones zones(sources.below, stratum.species);
+  if (zones.nothing_eaten()) return;
   const Grid<std::int32_t>& own = *graph.node_of_cell[s];
   RunTable table = collect_runs(own.width(), own.height(), [&](int y, std::span<std::int64_t> out) {
-    const auto nodes = own.row(y);
-    for (std::size_t x = 0; x < out.size(); ++x) {
-      std::int64_t zone = 0;
-      for (std::size_t i = 0; nodes[x] >= 0 && i < below.size(); ++i) {
-        const std::int32_t node = below[i].node_of_cell->row(y)[x];
-        zone = zone * (below[i].pieces + 1) + (node < 0 ? 0 : below[i].graph->nodes[std::size_t(node)].piece + 1);
-      }
-      out[x] = nodes[x] < 0 ? -1 : nodes[x] * zones + zone;
-    }
+    std::copy(own.row(y).begin(), own.row(y).end(), out.begin());
+    zones.refine_row(y, out);
   });
   const std::vector<std::int64_t> values = number_values(table);
   const std::vector<std::uint64_t> sums = cover_sums(table, values.size(), stratum.covers);
   const std::size_t plants = stratum.species.size();
-  std::vector<std::vector<double>> available(graph.nodes.size());
-  for (std::size_t group = 0; group < values.size(); ++group) {
-    auto& node = available[std::size_t(values[group] / zones)];
-    node.resize(plants);
-    for (std::size_t plant = 0; plant < plants; ++plant) {
-      double left = 1;
-      std::int64_t zone = values[group] % zones;
-      for (std::size_t i = below.size(); i-- > 0; zone /= below[i].pieces + 1) {
-        const std::int64_t piece = zone % (below[i].pieces + 1) - 1;
-        if (piece >= 0 && !below[i].share[plant].empty()) left *= 1 - below[i].share[plant][std::size_t(piece)];
-      }
-      node[plant] += left * growth_of(sources.web, stratum.species[plant], sums[group * plants + plant], sources.ground.terrain->cell_area());
-    }
+  for (ResourceNode& node : graph.nodes) {
+    if (node.group != int(s)) continue;
+    for (ResourceQuantity& quantity : node.quantities) quantity.available = 0;
   }
-  for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
-    if (available[n].empty()) continue;
-    for (ResourceQuantity& quantity : graph.nodes[n].quantities) {
-      const auto plant = std::find(stratum.species.begin(), stratum.species.end(), quantity.species) - stratum.species.begin();
-      quantity.available = std::min(quantity.kilograms_per_year, available[n][std::size_t(plant)]);
+  for (std::size_t group = 0; group < values.size(); ++group) {
+    ResourceNode& node = graph.nodes[std::size_t(values[group] / zones.count())];
+    for (ResourceQuantity& quantity : node.quantities) {
+      const auto plant =
+          std::size_t(std::find(stratum.species.begin(), stratum.species.end(), quantity.species) - stratum.species.begin());
+      quantity.available +=
+          zones.left(values[group] % zones.count(), plant) *
+          growth_of(sources.web, quantity.species, sums[group * plants + plant], sources.ground.terrain->cell_area());
+      quantity.available = std::min(quantity.available, quantity.kilograms_per_year);
     }
   }
 }
@@ -223,7 +152,7 @@ void add_vegetation_nodes(const ResourceSources& sources, GraphLevel& graph) {
     stratum.patches = split_into_patches(stratum.present, stratum.areas, rule);
     stratum.sums = cover_sums(stratum.patches.runs, stratum.patches.patches.size(), stratum.covers);
   });
-  keep_richest(sources, all, graph);
+  make_nodes(sources, all, graph);
   for (std::size_t s = 0; s < all.size(); ++s) {
     if (all[s].patches.patches.empty()) continue;
     graph.node_of_cell[s] = node_grid(all[s]);

@@ -6,26 +6,24 @@
 
 #include "core/base/parallel.hpp"
 #include "core/ecosystem/animal_paint.hpp"
-#include "core/ecosystem/resource_nodes.hpp"
+#include "core/ecosystem/eaten_zones.hpp"
 
 namespace biotope {
 namespace {
 
-/// A level that eats a plant: where its nodes are, and what share it leaves at each.
+/// A level that eats a plant, and what share it leaves in each piece.
 struct PlantEater {
-  const Grid<std::int32_t>* node_of_cell = nullptr;
-  std::vector<float> left_of_node;
+  const Grid<std::int32_t>* piece_of_cell = nullptr;
+  std::vector<float> left;
 };
 
-std::vector<PlantEater> eaters_of_plant(const FoodWeb& web, int plant, std::span<const std::shared_ptr<const AnimalLevel>> levels) {
+std::vector<PlantEater> eaters_of_plant(int plant, std::span<const std::shared_ptr<const AnimalLevel>> levels) {
   std::vector<PlantEater> result;
-  const auto stratum = std::size_t(web.species[std::size_t(plant)].plant().stratum);
   for (const auto& level : levels) {
     const std::vector<double> share = eaten_share(*level, plant);
     if (share.empty()) continue;
-    PlantEater eater{level->graph->node_of_cell[stratum].get(), {}};
-    for (const ResourceNode& node : level->graph->nodes) eater.left_of_node.push_back(float(1 - share[std::size_t(node.piece)]));
-    result.push_back(std::move(eater));
+    PlantEater& eater = result.emplace_back(PlantEater{&level->partition->label, {}});
+    for (const double eaten : share) eater.left.push_back(float(1 - eaten));
   }
   return result;
 }
@@ -45,14 +43,14 @@ Member member_of(int species, std::span<const std::shared_ptr<const AnimalLevel>
 }
 
 /// kg per year that the levels ate of an animal, by its region.
-std::vector<double> eaten_by_region(int species, std::size_t regions, std::span<const std::shared_ptr<const AnimalLevel>> levels) {
+std::vector<double> eaten_by_region(int species, std::size_t regions,
+                                    std::span<const std::shared_ptr<const AnimalLevel>> levels) {
   std::vector<double> eaten(regions);
   for (const auto& level : levels) {
     const std::vector<double> share = eaten_share(*level, species);
     if (share.empty()) continue;
-    for (const ResourceNode& node : level->graph->nodes) {
-      if (node.kind != NodeKind::prey || node.group != species) continue;
-      eaten[std::size_t(node.prey_region)] += node.quantities.front().available * share[std::size_t(node.piece)];
+    for (const auto& prey : level->prey) {
+      if (prey.species == species) eaten[std::size_t(prey.region)] += prey.available * share[std::size_t(prey.piece)];
     }
   }
   return eaten;
@@ -60,8 +58,9 @@ std::vector<double> eaten_by_region(int species, std::size_t regions, std::span<
 
 }  // namespace
 
-Grid<float> plant_surplus(const FoodWeb& web, int plant, const CoverMap& cover, std::span<const std::shared_ptr<const AnimalLevel>> levels) {
-  const std::vector<PlantEater> eaters = eaters_of_plant(web, plant, levels);
+Grid<float> plant_surplus(const FoodWeb& web, int plant, const CoverMap& cover,
+                          std::span<const std::shared_ptr<const AnimalLevel>> levels) {
+  const std::vector<PlantEater> eaters = eaters_of_plant(plant, levels);
   const float growth = web.species[std::size_t(plant)].plant().growth;
   Grid<float> surplus(cover.width(), cover.height());
   parallel_rows(0, surplus.height(), [&](int y) {
@@ -70,9 +69,9 @@ Grid<float> plant_surplus(const FoodWeb& web, int plant, const CoverMap& cover, 
     cover.read_row(y, 0, covered);
     for (std::size_t x = 0; x < row.size(); ++x) row[x] = growth * cover_fraction(covered[x]);
     for (const PlantEater& eater : eaters) {
-      const auto node = eater.node_of_cell->row(y);
+      const auto piece = eater.piece_of_cell->row(y);
       for (std::size_t x = 0; x < row.size(); ++x) {
-        if (node[x] >= 0) row[x] *= eater.left_of_node[std::size_t(node[x])];
+        if (piece[x] >= 0) row[x] *= eater.left[std::size_t(piece[x])];
       }
     }
   });

@@ -27,6 +27,12 @@ struct DailyPlan {
   /// Index of the plan this predator follows, -1 otherwise.
   int followed = -1;
   std::vector<PlanStop> stops;
+  /// Hours the species is active; outside them a herd that stands still rests. May pass 24, like the stops.
+  struct Span {
+    float from = 0;
+    float until = 24;
+  };
+  std::vector<Span> active;
   /// Way of the whole day as timed points, hours ascending from the first stop, closed over 24 h.
   struct Waypoint {
     float hour = 0;
@@ -46,11 +52,15 @@ struct HerdState {
 };
 
 /// Plans of every herd (paper algorithm 3): mandatory resources first, capacities, stays from needs and quantities, active hours; predators follow
-/// herds of the level below. Deterministic in `seed`.
+/// herds of a level below that they can reach (those that live on plants for more than half plan like grazers). One plan a herd, levels in order. A walk never is
+/// faster than the species walks on that slope. Deterministic in `seed`.
 [[nodiscard]] Result<std::vector<DailyPlan>> compute_daily_plans(const FoodWeb& web,
                                                                  std::span<const std::shared_ptr<const AnimalLevel>> levels,
                                                                  std::span<const LevelMovement> movement, const Ground& ground,
                                                                  std::uint64_t seed, const TaskContext& context = {});
+
+/// Hours a species is active: diurnal 5-21, crepuscular 4-10 and 16-22, nocturnal 18-6, cathemeral all day (our choice).
+[[nodiscard]] std::vector<DailyPlan::Span> active_hours(Activity activity);
 
 /// State at an hour (any real number; taken modulo 24): a pure function of (plan, hour).
 [[nodiscard]] HerdState herd_state(const DailyPlan& plan, const GraphLevel& graph, double hour, double cell_size);

@@ -49,19 +49,29 @@ struct LevelTravel {
   std::vector<int> graph_of_species;
   /// Vertex of each resource node in each graph, -1 where the species cannot stand there.
   std::vector<std::vector<std::int32_t>> vertex_of_node;
-  /// Field from each resource node in each graph; empty where the node has no vertex.
-  std::vector<std::vector<TravelField>> fields;
-  /// P_s(v): probability of presence at each node, by species and region of that species (paper eq. 1): pairs {node, probability}.
+  /// P_s(v): probability of presence at each node, by species and region of that species (paper eq. 1): pairs {node, probability},
+  /// nodes ascending. Empty where the species finds nothing.
   struct Presence {
     int node = 0;
     float probability = 0;
   };
   std::vector<std::vector<std::vector<Presence>>> presence;
+  /// P_s(v' | v) of each spatial edge of LevelMovement::edges (paper eq. 2); a node's onward probabilities sum to at most 1 because only the most
+  /// probable edges are kept.
+  std::vector<float> onward;
 };
+
+/// P_s(v) of one species (index in the level) at every node of a region (paper eq. 1). Drinking counts as a need of a fixed share.
+[[nodiscard]] std::vector<LevelTravel::Presence> presence_in_region(const FoodWeb& web, const AnimalLevel& level, int species_index,
+                                                                    int region);
+
+/// Region of the species (index in the level) that holds the node, -1 where it cannot be.
+[[nodiscard]] int region_of_node(const AnimalLevel& level, int species_index, const ResourceNode& node);
 
 /// Travel graphs, fields and presence of a level, and its spatial edges (directed, in seconds).
 struct LevelMovement {
   std::shared_ptr<const LevelTravel> travel;
+  /// Most probable onward edges, by species, node of departure, then node of arrival.
   std::vector<SpatialEdge> edges;
 };
 [[nodiscard]] Result<LevelMovement> compute_level_movement(const FoodWeb& web, const AnimalLevel& level, const Ground& ground,

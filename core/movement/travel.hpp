@@ -30,9 +30,19 @@ struct TravelGraph {
   std::vector<std::uint32_t> first_edge;
   std::vector<std::uint32_t> target;
   std::vector<float> cost;
+  /// Number of the undirected edge of each directed one: both directions of a pair share it, 0 .. edge_count - 1.
+  std::vector<std::uint32_t> edge;
+  std::uint32_t edge_count = 0;
   /// Vertex of each cell, -1 where blocked.
   Grid<std::int32_t> vertex_of_cell;
 };
+
+/// Side of a block (cells) that suits a landscape: about 96 blocks along the longer side, at least one cell each. Our choice: fine enough for
+/// trails to be told apart, coarse enough that a search from every resource takes less than a millisecond.
+[[nodiscard]] int travel_block(int width, int height);
+
+/// Cells an animal goes in one step of a path: about 4 m, at least one cell and at most four. Our choice.
+[[nodiscard]] int walking_stride(double cell_size);
 
 /// Builds the graph of one mobility over its confinement regions. Parallel over blocks.
 [[nodiscard]] TravelGraph build_travel_graph(const Ground& ground, const ConfinementRegions& regions, const Mobility& mobility,

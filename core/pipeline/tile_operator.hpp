@@ -31,12 +31,14 @@ template <class T>
   return tiles;
 }
 
-/// Puts a recomputed tile into a map unless it is equal to the one that is there: equal tiles keep their pointer (backdating).
-/// Returns whether the map changed.
+/// Puts a recomputed tile into a map unless it is equal to the one that is there: equal tiles keep their pointer (backdating), and a tile of
+/// nothing but background is kept as none at all. Returns whether the map changed.
 template <class T>
 bool replace_tile(TiledMap<T>& map, std::size_t index, std::shared_ptr<const typename TiledMap<T>::Tile> made) {
   const auto& old = map.tile(index);
-  if (old && *old == *made) return false;
+  const auto is_background = [&](const T& cell) { return cell == map.background(); };
+  if (std::all_of(made->begin(), made->end(), is_background)) made = nullptr;
+  if (old == made || (old && made && *old == *made)) return false;
   map.set_tile(index, std::move(made));
   return true;
 }

@@ -51,6 +51,8 @@ RiverReach follow_reach(const Hydrology& hydrology, std::size_t start) {
 
 }  // namespace
 
+float mean_discharge(double catchment_area, double runoff) { return float(catchment_area * runoff / seconds_per_year); }
+
 float river_width(float discharge) { return 4.5F * std::sqrt(discharge); }
 
 float river_depth(float discharge) { return discharge > 0 ? 0.3F * std::pow(discharge, 0.4F) : 0.0F; }
@@ -58,15 +60,14 @@ float river_depth(float discharge) { return discharge > 0 ? 0.3F * std::pow(disc
 void mark_discharge(const Terrain& terrain, const HydrologyOptions& options, Hydrology& hydrology) {
   const Grid<std::uint32_t> upstream = upstream_cells(hydrology.receiver);
   Grid<float>& discharge = hydrology.discharge;
-  const double per_area = options.runoff / seconds_per_year;
   parallel_rows(0, discharge.height(), [&](int y) {
-    for (int x = 0; x < discharge.width(); ++x) discharge(x, y) = float(upstream(x, y) * terrain.cell_area() * per_area);
+    for (int x = 0; x < discharge.width(); ++x) discharge(x, y) = mean_discharge(upstream(x, y) * terrain.cell_area(), options.runoff);
   });
   const auto offsets = neighbour_offsets(discharge.width());
   for (const Inflow& inflow : options.inflows) {
     std::size_t cell = discharge.index(inflow.x, inflow.y);
     while (true) {
-      discharge[cell] += float(inflow.catchment_area * per_area);
+      discharge[cell] += mean_discharge(inflow.catchment_area, options.runoff);
       if (hydrology.receiver[cell] == leaves_map) break;
       cell += std::size_t(offsets[hydrology.receiver[cell]]);
     }

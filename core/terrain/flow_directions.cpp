@@ -24,11 +24,11 @@ inline std::uint8_t steepest_inside(const float* cell, const std::array<std::ptr
   return direction;
 }
 
-/// The same on the border, where the ground is taken to go on beyond as it goes inside.
-std::uint8_t steepest_on_border(const Grid<float>& filled, int x, int y) {
+/// The same on the border, where the ground is taken to go on beyond as it goes inside; water does not leave through an inlet.
+std::uint8_t steepest_on_border(const Grid<float>& filled, int x, int y, bool inlet) {
   const float here = filled(x, y);
   float best = 0;
-  std::uint8_t direction = leaves_map;
+  std::uint8_t direction = inlet ? undecided : leaves_map;
   for (std::size_t d = 0; d < 8; ++d) {
     const int nx = x + neighbour_dx[d];
     const int ny = y + neighbour_dy[d];
@@ -36,7 +36,7 @@ std::uint8_t steepest_on_border(const Grid<float>& filled, int x, int y) {
     if (filled.contains(nx, ny)) {
       fall = (here - filled(nx, ny)) * neighbour_inverse_distance[d];
       if (fall > best) direction = std::uint8_t(d);
-    } else if (d % 2 == 0 && filled.contains(x - neighbour_dx[d], y - neighbour_dy[d])) {
+    } else if (!inlet && d % 2 == 0 && filled.contains(x - neighbour_dx[d], y - neighbour_dy[d])) {
       fall = filled(x - neighbour_dx[d], y - neighbour_dy[d]) - here;
       if (fall > best) direction = leaves_map;
     }
@@ -66,7 +66,7 @@ void resolve_flats(const Grid<float>& filled, Grid<std::uint8_t>& receiver) {
       for (std::size_t d = 0; d < 8; ++d) {
         const int nx = x + neighbour_dx[d];
         const int ny = y + neighbour_dy[d];
-        if (filled(nx, ny) == filled(x, y) && receiver(nx, ny) != undecided) rim.push_back(std::uint32_t(filled.index(nx, ny)));
+        if (filled.contains(nx, ny) && filled(nx, ny) == filled(x, y) && receiver(nx, ny) != undecided) rim.push_back(std::uint32_t(filled.index(nx, ny)));
       }
     }
   }
@@ -78,7 +78,7 @@ void resolve_flats(const Grid<float>& filled, Grid<std::uint8_t>& receiver) {
 
 }  // namespace
 
-Grid<std::uint8_t> flow_directions(const Grid<float>& filled, const Grid<std::uint8_t>& sea) {
+Grid<std::uint8_t> flow_directions(const Grid<float>& filled, const Grid<std::uint8_t>& sea, const Grid<std::uint8_t>& inlets) {
   const int width = filled.width();
   const int height = filled.height();
   Grid<std::uint8_t> receiver(width, height);
@@ -91,8 +91,10 @@ Grid<std::uint8_t> flow_directions(const Grid<float>& filled, const Grid<std::ui
       const bool border = border_row || x == 0 || x == width - 1;
       if (!sea.empty() && sea(x, y) != 0) {
         out[std::size_t(x)] = leaves_map;
+      } else if (border) {
+        out[std::size_t(x)] = steepest_on_border(filled, x, y, !inlets.empty() && inlets(x, y) != 0);
       } else {
-        out[std::size_t(x)] = border ? steepest_on_border(filled, x, y) : steepest_inside(&heights[std::size_t(x)], offsets);
+        out[std::size_t(x)] = steepest_inside(&heights[std::size_t(x)], offsets);
       }
     }
   });

@@ -23,10 +23,11 @@ Result<Hydrology> compute_hydrology(const Terrain& terrain, const HydrologyOptio
   Hydrology result;
   context.report("depressions", 0);
   const Grid<std::uint8_t> sea = find_sea(terrain.height, options.sea_level);
-  result.filled = fill_depressions(terrain.height, sea, options.sea_level);
+  const Grid<std::uint8_t> inlets = find_inlets(terrain, options);
+  result.filled = fill_depressions(terrain.height, sea, options.sea_level, inlets);
   if (context.stopped()) return fail("stopped");
   context.report("flow directions", 0.35);
-  result.receiver = flow_directions(result.filled, sea);
+  result.receiver = flow_directions(result.filled, sea, inlets);
   result.water_depth = Grid<float>(width, height);
   result.discharge = Grid<float>(width, height);
   result.water = Grid<WaterKind>(width, height, WaterKind::dry);

@@ -12,7 +12,7 @@ namespace biotope {
 
 enum class WaterKind : std::uint8_t { dry, river, lake, sea };
 
-/// A river that enters the map: water from a catchment that lies outside.
+/// A river that enters the map: water from a catchment that lies outside. On the border, no water leaves through the cells beside it.
 struct Inflow {
   /// Cell where it enters.
   int x = 0;
@@ -76,6 +76,8 @@ struct HydrologyOptions {
 [[nodiscard]] Result<Hydrology> compute_hydrology(const Terrain& terrain, const HydrologyOptions& options,
                                                   const TaskContext& context = {});
 
+/// Mean yearly discharge (m3/s) of a catchment (m2) from which `runoff` metres of water run off in a year.
+[[nodiscard]] float mean_discharge(double catchment_area, double runoff);
 /// Width (m) of a river of mean discharge Q (m3/s): 4.5 Q^0.5 (downstream hydraulic geometry).
 [[nodiscard]] float river_width(float discharge);
 /// Depth (m) of a river of mean discharge Q (m3/s): 0.3 Q^0.4.

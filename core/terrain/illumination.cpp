@@ -37,19 +37,27 @@ double tangent_of_elevation(const SunPosition& sun) {
   return std::tan(std::clamp(sun.elevation, -1.5, 1.5));
 }
 
+/// Adds the unit vector toward the sun, times `weight`, to the sample's factors.
+void add_direction(const SunPosition& sun, double weight, SunSample& sample) {
+  const double level = std::cos(sun.elevation) * weight;
+  sample.up += float(std::sin(sun.elevation) * weight);
+  sample.east_factor += float(std::sin(sun.azimuth) * level);
+  sample.north_factor += float(std::cos(sun.azimuth) * level);
+}
+
 SunSample make_sample(double latitude, double day, double from, double to) {
   const SunPosition middle = sun_position(latitude, day, (from + to) / 2);
   const double weight = (to - from) / 24;
-  const double level = std::cos(middle.elevation) * weight;
   const double first = tangent_of_elevation(sun_position(latitude, day, from));
   const double last = tangent_of_elevation(sun_position(latitude, day, to));
   const double centre = (first + last) / 2;
   const double half_band = std::max(std::abs(first - last) / 2, least_half_band * (1 + centre * centre));
   const double place = middle.azimuth / (2 * std::numbers::pi) * sector_count;
   SunSample sample;
-  sample.up = float(std::sin(middle.elevation) * weight);
-  sample.east_factor = float(std::sin(middle.azimuth) * level);
-  sample.north_factor = float(std::cos(middle.azimuth) * level);
+  // The mean direction over the hour, by Simpson's rule.
+  add_direction(sun_position(latitude, day, from), weight / 6, sample);
+  add_direction(middle, weight * 4 / 6, sample);
+  add_direction(sun_position(latitude, day, to), weight / 6, sample);
   // At sunrise and sunset the sun is on the horizon of flat ground, and flat ground must count the whole sample.
   sample.top = float(std::max(centre + half_band, 2 * half_band));
   sample.inverse_band = float(1 / (2 * half_band));

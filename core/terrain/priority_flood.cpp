@@ -154,8 +154,9 @@ struct TileNumbers {
   [[nodiscard]] std::size_t tile(int x, int y) const { return std::size_t(y / flood_tile) * std::size_t(columns) + std::size_t(x / flood_tile); }
 };
 
-/// Passes between cells of different tiles and over the map's border.
-void add_rim_passes(const Grid<float>& filled, const Grid<Label>& labels, const TileNumbers& numbers, std::vector<Pass>& passes) {
+/// Passes between cells of different tiles and over the map's border, which is closed at inlets.
+void add_rim_passes(const Grid<float>& filled, const Grid<Label>& labels, const Grid<std::uint8_t>& inlets, const TileNumbers& numbers,
+                    std::vector<Pass>& passes) {
   const auto node = [&](int x, int y) { return numbers.node(numbers.tile(x, y), labels(x, y)); };
   const auto join = [&](int x, int y, int nx, int ny) {
     if (!filled.contains(nx, ny)) return;
@@ -177,7 +178,7 @@ void add_rim_passes(const Grid<float>& filled, const Grid<Label>& labels, const 
   }
   const auto leave = [&](int x, int y) {
     const std::uint32_t a = node(x, y);
-    if (a != 0) passes.push_back({0, a, filled(x, y)});
+    if (a != 0 && (inlets.empty() || inlets(x, y) == 0)) passes.push_back({0, a, filled(x, y)});
   };
   for (int x = 0; x < width; ++x) {
     leave(x, 0);
@@ -225,7 +226,7 @@ std::vector<float> spill_levels(std::size_t nodes, const std::vector<Pass>& pass
 
 }  // namespace
 
-Grid<float> fill_depressions(const Grid<float>& height, const Grid<std::uint8_t>& sea, float sea_level) {
+Grid<float> fill_depressions(const Grid<float>& height, const Grid<std::uint8_t>& sea, float sea_level, const Grid<std::uint8_t>& inlets) {
   const int width = height.width();
   const int rows = height.height();
   Grid<float> filled(width, rows);
@@ -257,7 +258,7 @@ Grid<float> fill_depressions(const Grid<float>& height, const Grid<std::uint8_t>
       passes.push_back({numbers.node(t, Label(pass.a)), numbers.node(t, Label(pass.b)), pass.level});
     }
   }
-  add_rim_passes(filled, labels, numbers, passes);
+  add_rim_passes(filled, labels, inlets, numbers, passes);
   keep_lowest(passes);
   const std::vector<float> levels = spill_levels(std::size_t(nodes) + 1, passes);
   parallel_each(tiles, [&](std::size_t t) {

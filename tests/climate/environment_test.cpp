@@ -10,7 +10,7 @@
 #include "core/climate/environment.hpp"
 #include "core/climate/moisture.hpp"
 #include "core/climate/soil.hpp"
-#include "core/climate/water_spread.hpp"
+#include "core/climate/diffusion.hpp"
 
 namespace biotope {
 namespace {
@@ -143,7 +143,7 @@ TEST_CASE("water spreads without being lost and without going below zero") {
   };
   const double before = total(water);
   const float highest = *std::ranges::max_element(water.cells());
-  for (int step = 0; step < 4; ++step) spread_water(water, conductance);
+  for (int step = 0; step < 4; ++step) diffuse(water, conductance);
   CHECK(total(water) == Approx(before).epsilon(1e-4));
   CHECK(*std::ranges::min_element(water.cells()) > 0);
   CHECK(*std::ranges::max_element(water.cells()) < highest);
@@ -153,7 +153,7 @@ TEST_CASE("a spot spreads by the square root of twice the conductance, alike alo
   Grid<float> water(101, 101, 0);
   water(50, 50) = 1000;
   const Grid<float> conductance(101, 101, 4.5F);
-  for (int step = 0; step < 4; ++step) spread_water(water, conductance);
+  for (int step = 0; step < 4; ++step) diffuse(water, conductance);
   double sum = 0;
   double east = 0;
   double south = 0;
@@ -175,7 +175,7 @@ TEST_CASE("a cell that keeps its water gives without losing") {
   Grid<float> conductance(9, 1, 2);
   water(4, 0) = 100;
   conductance(4, 0) = -2;
-  spread_water(water, conductance);
+  diffuse(water, conductance);
   CHECK(water(4, 0) == 100);
   CHECK(water(3, 0) > 10);
   CHECK(water(3, 0) == Approx(water(5, 0)).epsilon(1e-5));

@@ -56,7 +56,8 @@ double integral(const Grid<float>& density, double cell_area) {
 }
 
 bool same_level(const AnimalLevel& a, const AnimalLevel& b) {
-  if (a.partition->label != b.partition->label || a.population != b.population || a.eaten != b.eaten || a.warnings != b.warnings) return false;
+  if (a.partition->label != b.partition->label || a.population != b.population || a.eaten != b.eaten || a.warnings != b.warnings)
+    return false;
   if (a.herds.size() != b.herds.size() || a.graph->nodes.size() != b.graph->nodes.size()) return false;
   for (std::size_t i = 0; i < a.herds.size(); ++i) {
     if (a.herds[i].size != b.herds[i].size || a.herds[i].region != b.herds[i].region) return false;
@@ -171,7 +172,8 @@ TEST_CASE("eaten and surplus together are the growth, for plants and for prey") 
     const SurplusTotal sum = surplus_total(scene.web, prey, nullptr, cell_area, scene.levels);
     CHECK(sum.growth > 0);
     CHECK(sum.surplus() >= 0);
-    CHECK(integral(animal_surplus(scene.web, prey, *scene.levels[0], scene.levels), cell_area / 1e6) == Approx(sum.surplus()).epsilon(1e-5));
+    CHECK(integral(animal_surplus(scene.web, prey, *scene.levels[0], scene.levels), cell_area / 1e6) ==
+          Approx(sum.surplus()).epsilon(1e-5));
   }
   const double meat = (eaten_of(*scene.levels[1], web.deer) + eaten_of(*scene.levels[1], web.goat));
   CHECK(meat == Approx(year * (total(scene.levels[1]->population[0]) * 1 + total(scene.levels[1]->population[1]) * 3)));
@@ -230,7 +232,8 @@ TEST_CASE("the result does not depend on the number of threads") {
   for (const std::size_t threads : {1U, 2U, 5U}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     Landscape land(150, 130, 50);
-    for (std::size_t i = 0; i < land.derivatives.slope.size(); ++i) land.derivatives.slope[i] = float(random_unit({1, i / 5})) * 0.8F;
+    for (std::size_t i = 0; i < land.derivatives.slope.size(); ++i)
+      land.derivatives.slope[i] = float(random_unit({1, i / 5})) * 0.8F;
     land.brook_row(40);
     land.brook_row(90);
     Scene scene(land, ThreeLevels().builder.web);

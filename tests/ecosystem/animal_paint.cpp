@@ -131,3 +131,55 @@ TEST_CASE("paint with coverage 0 is no paint") {
   CHECK(level->eaten == plain->eaten);
   CHECK(level->warnings.empty());
 }
+
+TEST_CASE("animals painted where there is no water stay, eat only there, and the warning names the water") {
+  // Three valleys parted by cliffs; only the first has a brook.
+  WebBuilder builder;
+  const int grass = builder.plant("grass", 0.1F);
+  builder.animal("grazer", 1, walker(10), {{"grass", {grass}}});
+  Landscape land(17, 5);
+  land.cliff_column(5);
+  land.cliff_column(11);
+  for (int x = 0; x < 4; ++x) land.hydrology.discharge(x, 2) = 0.02F;
+  const Scene scene(land, builder.web);
+  const auto plain = scene.solve(1);
+  CHECK(plain->population[0] == std::vector{60.0, 0.0, 0.0});
+  const auto level = scene.solve(1, {}, {paint_rect(17, 5, {6, 0, 11, 5}, 100)});
+  CHECK(level->computed_population == plain->computed_population);
+  CHECK(level->population[0][0] == 60);
+  CHECK(level->population[0][1] == Approx(25));
+  CHECK(level->population[0][2] == 0);
+  const auto& eaten = level->eaten[std::size_t(grass)];
+  REQUIRE(eaten.size() == 3);
+  CHECK(eaten[0] == Approx(60 * 365));
+  CHECK(eaten[1] == Approx(25 * 365));
+  CHECK(eaten[2] == 0);
+  REQUIRE(level->warnings.size() == 1);
+  CHECK(level->warnings[0] == "grazer: no water to drink in region 1 (near 8, 2)");
+}
+
+TEST_CASE("what each piece gives is kept apart when paint peoples a region that was empty") {
+  // Deer reach both valleys, sheep only the second, whose grass alone cannot feed one of their herds.
+  WebBuilder builder;
+  const int grass = builder.plant("grass", 0.1F);
+  AnimalTraits climber = walker(50);
+  climber.max_slope = 3;
+  builder.animal("deer", 1, climber, {{"grass", {grass}, 2}});
+  builder.animal("sheep", 1, walker(300), {{"grass", {grass}, 3}});
+  Landscape land(11, 5);
+  land.cliff_column(5);
+  land.brook_row(2);
+  const Scene scene(land, builder.web);
+  const auto plain = scene.solve(1);
+  CHECK(total(plain->population[0]) > 0);
+  CHECK(total(plain->population[1]) == 0);
+  const auto level = scene.solve(1, {}, {nullptr, paint_rect(11, 5, {6, 0, 11, 5}, 8)});
+  CHECK(level->population[0] == plain->population[0]);
+  CHECK(level->population[1][1] == Approx(2));
+  CHECK(level->shortages.empty());
+  for (std::size_t piece = 0; piece < level->available[0].size(); ++piece) {
+    const double more = level->eaten[0][piece] - plain->eaten[0][piece];
+    const bool second_valley = level->partition->pieces[piece].region[1] == 1;
+    CHECK(more == Approx(second_valley ? 2 * 3 * 365 : 0).margin(1e-6));
+  }
+}

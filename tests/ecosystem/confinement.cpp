@@ -118,7 +118,8 @@ TEST_CASE("regions agree with a flood fill on random ground, and blocked cells w
           const auto [cx, cy] = open.back();
           open.pop_back();
           for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
-            if (!blocked.contains(cx + dx, cy + dy) || blocked(cx + dx, cy + dy) != 0 || expected(cx + dx, cy + dy) >= 0) continue;
+            if (!blocked.contains(cx + dx, cy + dy) || blocked(cx + dx, cy + dy) != 0 || expected(cx + dx, cy + dy) >= 0)
+              continue;
             expected(cx + dx, cy + dy) = next;
             open.emplace_back(cx + dx, cy + dy);
           }

@@ -65,7 +65,9 @@ TEST_CASE("a settled region tells its population, its scarce need and the rivals
   CHECK(present.headline == "Present: 270 in region 0 (1.00 km2)");
   CHECK(mentions(present, "27 herds; 270 per km2"));
   // 100,000 kg grow, 98,550 are eaten, a herd needs 3,650.
-  CHECK(mentions(present, "Of 100000 kg of grass that grow in reach each year 1450 are left; another herd of 10 needs 3650, 2200 kg are short"));
+  CHECK(mentions(
+      present,
+      "Of 100000 kg of grass that grow in reach each year 1450 are left; another herd of 10 needs 3650, 2200 kg are short"));
   const Explanation absent = explain_animal(scene.web, *level, 2, scene.land.ground(), 4, 4);
   CHECK(absent.headline == "Absent: too little grass in region 0 (1.00 km2)");
   CHECK(mentions(absent, "Shares its food with 270 grazer."));

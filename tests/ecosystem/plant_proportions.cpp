@@ -60,9 +60,10 @@ std::vector<std::vector<int>> plain_algorithm(const FoodWeb& web, const PlantEnv
       long best = 0;
       std::size_t best_cell = 0;
       for (std::size_t cell = 0; cell < states.size(); ++cell) {
-        const double fitness = plant_reference::fitness_left(
-            plant, environment.cell(int(cell) % width, int(cell) / width), states[cell], states[cell].cover[i]);
-        const long key = fitness > 0 ? std::max(1L, std::lround(fitness)) : 0;
+        const double fitness = plant_reference::fitness_left(plant, environment.cell(int(cell) % width, int(cell) / width),
+                                                             states[cell], states[cell].cover[i]);
+        // Cells are compared in steps of 1/20 of fitness.
+        const long key = fitness > 0 ? std::max(1L, (std::max(1L, std::lround(fitness)) + 6) / 12) : 0;
         if (key > best) {
           best = key;
           best_cell = cell;

@@ -206,5 +206,5 @@ TEST_CASE("every region with food keeps a bank where it has one, however many th
     CHECK(banks[i] >= 1);
   }
   CHECK(fed > 100);
-  CHECK(level->graph->nodes.size() <= 2 * most_vegetation_nodes + 20);
+  CHECK(level->graph->nodes.size() <= 2 * node_limits(1).vegetation + 20);
 }

@@ -1,4 +1,4 @@
-#include "core/climate/water_spread.hpp"
+#include "core/climate/diffusion.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -13,11 +13,11 @@ namespace biotope {
 namespace {
 
 // Elimination down a line: with L and R the conductances to the cells before and after,
-//   share' = R / (1 + L (1 - share) + R),   water' = (water + L water_before') / (the same),
-// and back up: water = water' + share' * water_after. All terms are positive, so nothing cancels.
+//   share' = R / (1 + L (1 - share) + R),   value' = (value + L value_before') / (the same),
+// and back up: value = value' + share' * value_after. All terms are positive, so nothing cancels.
 
-void spread_row(std::span<float> water, std::span<const float> conductance, std::span<float> share) {
-  const std::size_t count = water.size();
+void diffuse_row(std::span<float> values, std::span<const float> conductance, std::span<float> share) {
+  const std::size_t count = values.size();
   float before = 0;
   float last_share = 0;
   float to_before = 0;
@@ -28,12 +28,12 @@ void spread_row(std::span<float> water, std::span<const float> conductance, std:
     const float right = own < 0 ? 0 : to_after;
     const float inverse = 1 / (1 + left * (1 - last_share) + right);
     last_share = right * inverse;
-    before = (water[i] + left * before) * inverse;
+    before = (values[i] + left * before) * inverse;
     share[i] = last_share;
-    water[i] = before;
+    values[i] = before;
     to_before = to_after;
   }
-  for (std::size_t i = count - 1; i-- > 0;) water[i] += share[i] * water[i + 1];
+  for (std::size_t i = count - 1; i-- > 0;) values[i] += share[i] * values[i + 1];
 }
 
 /// Columns that are eliminated together.
@@ -45,9 +45,9 @@ struct ColumnsRow {
   const float* conductance;
   const float* after_conductance;
   const float* before_share;
-  const float* before_water;
+  const float* before_value;
   float* share;
-  float* water;
+  float* value;
 };
 
 BIOTOPE_VECTOR_CLONES void eliminate_columns(const ColumnsRow row, int count, float has_before, float has_after) {
@@ -58,16 +58,16 @@ BIOTOPE_VECTOR_CLONES void eliminate_columns(const ColumnsRow row, int count, fl
     const float right = has_after * moves * (std::abs(own) + std::abs(row.after_conductance[i]));
     const float inverse = 1 / (1 + left * (1 - row.before_share[i]) + right);
     row.share[i] = right * inverse;
-    row.water[i] = (row.water[i] + left * row.before_water[i]) * inverse;
+    row.value[i] = (row.value[i] + left * row.before_value[i]) * inverse;
   }
 }
 
-BIOTOPE_VECTOR_CLONES void add_back_columns(float* water, const float* share, const float* after, int count) {
-  for (int i = 0; i < count; ++i) water[i] += share[i] * after[i];
+BIOTOPE_VECTOR_CLONES void add_back_columns(float* values, const float* share, const float* after, int count) {
+  for (int i = 0; i < count; ++i) values[i] += share[i] * after[i];
 }
 
-void spread_columns(Grid<float>& water, const Grid<float>& conductance, int x0, int count) {
-  const int height = water.height();
+void diffuse_columns(Grid<float>& values, const Grid<float>& conductance, int x0, int count) {
+  const int height = values.height();
   std::vector<float> shares(std::size_t(height) * strip);
   const std::vector<float> none(strip, 0.0F);
   for (int y = 0; y < height; ++y) {
@@ -76,28 +76,28 @@ void spread_columns(Grid<float>& water, const Grid<float>& conductance, int x0, 
     float* const share = shares.data() + std::size_t(y) * strip;
     const float* const own = conductance.row(y).data() + x0;
     eliminate_columns({first ? own : conductance.row(y - 1).data() + x0, own, last ? own : conductance.row(y + 1).data() + x0,
-                       first ? none.data() : share - strip, first ? none.data() : water.row(y - 1).data() + x0, share,
-                       water.row(y).data() + x0},
+                       first ? none.data() : share - strip, first ? none.data() : values.row(y - 1).data() + x0, share,
+                       values.row(y).data() + x0},
                       count, first ? 0.0F : 1.0F, last ? 0.0F : 1.0F);
   }
   for (int y = height - 1; y-- > 0;) {
-    add_back_columns(water.row(y).data() + x0, shares.data() + std::size_t(y) * strip, water.row(y + 1).data() + x0, count);
+    add_back_columns(values.row(y).data() + x0, shares.data() + std::size_t(y) * strip, values.row(y + 1).data() + x0, count);
   }
 }
 
 }  // namespace
 
-void spread_water(Grid<float>& water, const Grid<float>& conductance) {
-  assert(water.width() == conductance.width() && water.height() == conductance.height());
-  if (water.empty()) return;
-  parallel_rows(0, water.height(), [&](int y) {
-    std::vector<float> share(std::size_t(water.width()));
-    spread_row(water.row(y), conductance.row(y), share);
+void diffuse(Grid<float>& values, const Grid<float>& conductance) {
+  assert(values.width() == conductance.width() && values.height() == conductance.height());
+  if (values.empty()) return;
+  parallel_rows(0, values.height(), [&](int y) {
+    std::vector<float> share(std::size_t(values.width()));
+    diffuse_row(values.row(y), conductance.row(y), share);
   });
-  const int strips = (water.width() + strip - 1) / strip;
+  const int strips = (values.width() + strip - 1) / strip;
   parallel_each(std::size_t(strips), [&](std::size_t i) {
     const int x0 = int(i) * strip;
-    spread_columns(water, conductance, x0, std::min(strip, water.width() - x0));
+    diffuse_columns(values, conductance, x0, std::min(strip, values.width() - x0));
   });
 }
 

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/base/status.hpp"
+#include "core/exchange/dem_import.hpp"
+#include "render/camera.hpp"
+
+namespace biotope {
+
+/// What every command that computes may be given. Empty members: not asked for.
+struct LandscapeRequest {
+  /// A scene, a DEM or "sample:NAME".
+  std::string input = "sample:valley";
+  DemImportOptions import;
+  std::string climate;
+  std::string species_file;
+  std::string environment_folder;
+  std::optional<std::uint64_t> seed;
+  int threads = 0;  ///< 0: as many as the machine has
+  bool quiet = false;
+};
+
+/// `WxH:TYPE[:big][:header=BYTES]`, for example `1024x1024:uint16`.
+[[nodiscard]] Result<RawLayout> parse_raw_layout(std::string_view text);
+
+/// `X,Y,WIDTH,HEIGHT` in cells of the file.
+[[nodiscard]] Result<Rect> parse_crop(std::string_view text);
+
+struct PictureSize {
+  int width = 1280;
+  int height = 720;
+};
+/// `WIDTHxHEIGHT` in pixels, 16 to 16384 each.
+[[nodiscard]] Result<PictureSize> parse_picture_size(std::string_view text);
+
+/// `x,y,z,heading,pitch`: metres from the south-west corner, z above sea level, degrees clockwise from north and above the horizon.
+[[nodiscard]] Result<Camera> parse_camera(std::string_view text);
+
+}  // namespace biotope

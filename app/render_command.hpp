@@ -1,0 +1,25 @@
+#pragma once
+
+#include <iosfwd>
+#include <optional>
+#include <string>
+
+#include "app/command_line_options.hpp"
+#include "core/base/status.hpp"
+
+namespace biotope {
+
+struct RenderRequest {
+  LandscapeRequest landscape;
+  std::string picture;
+  PictureSize size;
+  /// Where to look from; absent: the landscape's own first view.
+  std::optional<Camera> camera;
+  double hour = 10.5;  ///< local solar time, 0..24
+  int month = 6;       ///< 1 is January
+};
+
+/// Computes a landscape and draws it in 3D into a PNG; needs no display.
+[[nodiscard]] Status run_render(const RenderRequest& request, std::ostream& out, std::ostream& err);
+
+}  // namespace biotope

@@ -1,0 +1,203 @@
+#include "core/exchange/scene_raster.hpp"
+
+#include <cpl_vsi.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <memory>
+
+#include "core/exchange/gdal_support.hpp"
+
+namespace biotope {
+namespace {
+
+/// A name among GDAL's files in memory, whose file goes with its owner.
+class MemoryFile {
+ public:
+  MemoryFile() {
+    static std::atomic<unsigned> count{0};
+    name_ = "/vsimem/biotope-" + std::to_string(count.fetch_add(1)) + ".tif";
+  }
+  ~MemoryFile() { VSIUnlink(name_.c_str()); }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  /// Shows `bytes` as the file's content without copying; they must outlive the file.
+  void show(const std::string& bytes) const {
+    auto* data = reinterpret_cast<GByte*>(const_cast<char*>(bytes.data()));
+    VSIFCloseL(VSIFileFromMemBuffer(name_.c_str(), data, bytes.size(), FALSE));
+  }
+  [[nodiscard]] std::string content() const {
+    vsi_l_offset size = 0;
+    const GByte* data = VSIGetMemFileBuffer(name_.c_str(), &size, FALSE);
+    return data == nullptr ? std::string() : std::string(reinterpret_cast<const char*>(data), std::size_t(size));
+  }
+
+ private:
+  std::string name_;
+};
+
+struct TiffLayout {
+  int bands = 1;
+  GDALDataType type = GDT_Float32;
+  int block = 256;
+  bool sparse = false;
+};
+
+DatasetPointer create_tiff(const MemoryFile& file, int width, int height, const TiffLayout& layout) {
+  register_gdal_drivers();
+  CPLStringList options;
+  options.SetNameValue("COMPRESS", "DEFLATE");
+  options.SetNameValue("PREDICTOR", layout.type == GDT_Float32 ? "3" : "1");
+  options.SetNameValue("ZLEVEL", "1");
+  options.SetNameValue("TILED", "YES");
+  options.SetNameValue("BLOCKXSIZE", std::to_string(layout.block).c_str());
+  options.SetNameValue("BLOCKYSIZE", std::to_string(layout.block).c_str());
+  options.SetNameValue("INTERLEAVE", "BAND");
+  if (layout.sparse) options.SetNameValue("SPARSE_OK", "TRUE");
+  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
+  if (driver == nullptr) return nullptr;
+  return DatasetPointer(driver->Create(file.name().c_str(), width, height, layout.bands, layout.type, options.List()));
+}
+
+Result<std::string> finished(DatasetPointer dataset, const MemoryFile& file, const GdalErrorScope& errors) {
+  if (dataset) dataset->FlushCache(true);
+  dataset.reset();
+  if (errors.failed()) return fail("A map of the scene cannot be packed" + because(errors) + ".");
+  return file.content();
+}
+
+template <class T>
+Result<std::string> encode_cells(const Grid<T>& cells, GDALDataType type, const Georeference* georeference) {
+  const GdalErrorScope errors;
+  const MemoryFile file;
+  DatasetPointer dataset = create_tiff(file, cells.width(), cells.height(), {1, type, 256, false});
+  if (!dataset) return fail("A map of the scene cannot be packed" + because(errors) + ".");
+  if (georeference != nullptr) {
+    auto transform = georeference->transform;
+    dataset->SetGeoTransform(transform.data());
+    if (!georeference->wkt.empty()) dataset->SetProjection(georeference->wkt.c_str());
+  }
+  const CPLErr written = dataset->GetRasterBand(1)->RasterIO(
+      GF_Write, 0, 0, cells.width(), cells.height(), const_cast<T*>(cells.cells().data()), cells.width(),
+      cells.height(), type, 0, 0, nullptr);
+  if (written != CE_None) return fail("A map of the scene cannot be packed" + because(errors) + ".");
+  return finished(std::move(dataset), file, errors);
+}
+
+tl::unexpected<Error> damaged(const std::string& what, const std::string& why) {
+  return fail(what + ": is damaged (" + why + ").");
+}
+
+/// Opens a GeoTIFF in memory and checks that it is what the scene says it is.
+Result<DatasetPointer> open_tiff(const MemoryFile& file, int width, int height, const TiffLayout& layout,
+                                 const std::string& what, const GdalErrorScope& errors) {
+  register_gdal_drivers();
+  const char* const drivers[] = {"GTiff", nullptr};
+  DatasetPointer dataset(GDALDataset::Open(file.name().c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers));
+  if (!dataset) return damaged(what, "not a GeoTIFF" + because(errors));
+  if (dataset->GetRasterXSize() != width || dataset->GetRasterYSize() != height) {
+    return damaged(what, "its size is not the terrain's");
+  }
+  if (dataset->GetRasterCount() != layout.bands || dataset->GetRasterBand(1)->GetRasterDataType() != layout.type) {
+    return damaged(what, "not the bands and samples expected");
+  }
+  return dataset;
+}
+
+template <class T>
+Result<Grid<T>> decode_cells(const std::string& bytes, int width, int height, GDALDataType type,
+                             const std::string& what) {
+  const GdalErrorScope errors;
+  const MemoryFile file;
+  file.show(bytes);
+  const auto dataset = open_tiff(file, width, height, {1, type, 0, false}, what, errors);
+  if (!dataset) return tl::unexpected(dataset.error());
+  Grid<T> cells(width, height);
+  const CPLErr read = (*dataset)->GetRasterBand(1)->RasterIO(GF_Read, 0, 0, width, height, cells.cells().data(), width,
+                                                             height, type, 0, 0, nullptr);
+  if (read != CE_None || errors.failed()) return damaged(what, "cells cannot be read" + because(errors));
+  return cells;
+}
+
+using Tile = PaintLayer::Tile;
+using TileBand = std::array<float, std::size_t(tile_side) * tile_side>;
+
+CPLErr transfer_tile(GDALDataset& dataset, GDALRWFlag direction, int band, const Rect& rect, TileBand& cells) {
+  return dataset.GetRasterBand(band)->RasterIO(direction, rect.x0, rect.y0, rect.width(), rect.height(), cells.data(),
+                                               rect.width(), rect.height(), GDT_Float32, sizeof(float),
+                                               GSpacing(sizeof(float)) * tile_side, nullptr);
+}
+
+}  // namespace
+
+Result<std::string> encode_floats(const Grid<float>& cells, const Georeference& georeference) {
+  return encode_cells(cells, GDT_Float32, &georeference);
+}
+
+Result<std::string> encode_bytes(const Grid<std::uint8_t>& cells) { return encode_cells(cells, GDT_Byte, nullptr); }
+
+Result<std::string> encode_paint(const PaintLayer& layer) {
+  assert(layer.background() == Paint{});
+  const GdalErrorScope errors;
+  const MemoryFile file;
+  DatasetPointer dataset = create_tiff(file, layer.width(), layer.height(), {2, GDT_Float32, tile_side, true});
+  if (!dataset) return fail("A layer of the scene cannot be packed" + because(errors) + ".");
+  TileBand value;
+  TileBand coverage;
+  for (std::size_t i = 0; i < layer.tile_count(); ++i) {
+    const auto& tile = layer.tile(i);
+    if (!tile) continue;
+    std::transform(tile->begin(), tile->end(), value.begin(), [](const Paint& paint) { return paint.value; });
+    std::transform(tile->begin(), tile->end(), coverage.begin(), [](const Paint& paint) { return paint.coverage; });
+    const Rect rect = layer.tile_rect(i);
+    if (transfer_tile(*dataset, GF_Write, 1, rect, value) != CE_None ||
+        transfer_tile(*dataset, GF_Write, 2, rect, coverage) != CE_None) {
+      return fail("A layer of the scene cannot be packed" + because(errors) + ".");
+    }
+  }
+  return finished(std::move(dataset), file, errors);
+}
+
+Result<Grid<float>> decode_floats(const std::string& bytes, int width, int height, const std::string& what) {
+  return decode_cells<float>(bytes, width, height, GDT_Float32, what);
+}
+
+Result<Grid<std::uint8_t>> decode_bytes(const std::string& bytes, int width, int height, const std::string& what) {
+  return decode_cells<std::uint8_t>(bytes, width, height, GDT_Byte, what);
+}
+
+Result<PaintLayer> decode_paint(const std::string& bytes, int width, int height, const std::string& what) {
+  const GdalErrorScope errors;
+  const MemoryFile file;
+  file.show(bytes);
+  const auto dataset = open_tiff(file, width, height, {2, GDT_Float32, 0, false}, what, errors);
+  if (!dataset) return tl::unexpected(dataset.error());
+  PaintLayer layer(width, height);
+  for (std::size_t i = 0; i < layer.tile_count(); ++i) {
+    const Rect rect = layer.tile_rect(i);
+    TileBand value{};
+    TileBand coverage{};
+    if (transfer_tile(**dataset, GF_Read, 1, rect, value) != CE_None ||
+        transfer_tile(**dataset, GF_Read, 2, rect, coverage) != CE_None) {
+      return damaged(what, "cells cannot be read" + because(errors));
+    }
+    auto tile = std::make_shared<Tile>();
+    bool painted_anywhere = false;
+    for (std::size_t cell = 0; cell < tile->size(); ++cell) {
+      const Paint paint{value[cell], coverage[cell]};
+      if (!std::isfinite(paint.value) || !(paint.coverage >= 0 && paint.coverage <= 1)) {
+        return damaged(what, "paint that is no number or covers more than all");
+      }
+      (*tile)[cell] = paint;
+      painted_anywhere |= paint != Paint{};
+    }
+    if (painted_anywhere) layer.set_tile(i, std::move(tile));
+  }
+  if (errors.failed()) return damaged(what, "cells cannot be read" + because(errors));
+  return layer;
+}
+
+}  // namespace biotope

@@ -1,0 +1,188 @@
+#include "core/movement/daily_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/parallel.hpp"
+#include "core/base/random.hpp"
+#include "core/movement/plan_parts.hpp"
+
+namespace biotope {
+namespace {
+
+using PlannedDay = std::pair<DailyPlan, HerdCourse>;
+
+/// Whether a species lives on plants for more than half of what it eats: it looks for places, not for herds.
+bool lives_on_plants(const FoodWeb& web, int species) {
+  double plants = 0;
+  double all = 0;
+  for (const auto& need : web.diets[std::size_t(species)]) {
+    const auto is_plant = [&](int food) { return web.level[std::size_t(food)] == 0; };
+    const auto count = std::count_if(need.foods.begin(), need.foods.end(), is_plant);
+    all += double(need.amount);
+    if (!need.foods.empty()) plants += double(need.amount) * double(count) / double(need.foods.size());
+  }
+  return plants * 2 > all;
+}
+
+/// Plans all levels, from the lowest up.
+class Planner {
+ public:
+  Planner(const FoodWeb& web, std::span<const std::shared_ptr<const AnimalLevel>> levels, std::span<const LevelMovement> movement,
+          const Ground& ground, std::uint64_t seed)
+      : web_(web), levels_(levels), movement_(movement), ground_(ground), seed_(seed) {}
+
+  void plan_level(std::size_t number) {
+    const AnimalLevel& level = *levels_[number];
+    const PlanInput input{web_, level, movement_[number], ground_, seed_};
+    std::vector<std::optional<PlannedDay>> days(level.herds.size());
+    if (number > 0) follow(input, number, days);
+    std::vector<std::uint8_t> wanted(level.herds.size(), 0);
+    for (std::size_t i = 0; i < days.size(); ++i) wanted[i] = !days[i];
+    graze(input, wanted, days);
+    for (auto& day : days) {
+      plans_.push_back(std::move(day->first));
+      courses_.push_back(std::move(day->second));
+      level_of_plan_.push_back(number);
+    }
+  }
+
+  std::vector<DailyPlan> take() { return std::move(plans_); }
+
+ private:
+  struct Candidate {
+    int plan = 0;
+    int node = 0;
+    double weight = 0;
+  };
+
+  static void graze(const PlanInput& input, std::span<const std::uint8_t> wanted, std::vector<std::optional<PlannedDay>>& days) {
+    const std::vector<DayDraft> drafts = draft_days(input, wanted);
+    NodeWays ways(input);
+    for (const DayDraft& draft : drafts) {
+      const int graph = input.movement.travel->graph_of_species[std::size_t(draft.species_index)];
+      for (std::size_t i = 0; i < draft.stays.size() && draft.stays.size() > 1; ++i) {
+        ways.need(graph, draft.stays[i].node, draft.stays[(i + 1) % draft.stays.size()].node);
+      }
+    }
+    ways.find();
+    parallel_each(drafts.size(), [&](std::size_t i) { days[std::size_t(drafts[i].herd)] = walk_day(input, drafts[i], ways); });
+  }
+
+  /// In rounds: every pack without a herd draws one (herds that are already followed draw fewer others), then all try to follow.
+  void follow(const PlanInput& input, std::size_t number, std::vector<std::optional<PlannedDay>>& days) {
+    std::vector<int> followers(plans_.size(), 0);
+    std::vector<std::vector<Candidate>> candidates(days.size());
+    for (std::size_t herd = 0; herd < days.size(); ++herd) {
+      if (!lives_on_plants(web_, input.level.herds[herd].species)) candidates[herd] = candidates_of(input, number, int(herd));
+    }
+    constexpr std::uint64_t rounds = 6;
+    for (std::uint64_t round = 0; round < rounds; ++round) {
+      std::vector<std::pair<std::size_t, Candidate>> chosen;
+      for (std::size_t herd = 0; herd < days.size(); ++herd) {
+        if (days[herd] || candidates[herd].empty()) continue;
+        const double unit = random_unit({seed_, std::uint64_t(input.level.level), herd, round, 41});
+        const std::size_t drawn = draw(candidates[herd], followers, unit);
+        chosen.emplace_back(herd, candidates[herd][drawn]);
+        ++followers[std::size_t(candidates[herd][drawn].plan)];
+        candidates[herd].erase(candidates[herd].begin() + std::ptrdiff_t(drawn));
+      }
+      parallel_each(chosen.size(), [&](std::size_t i) { days[chosen[i].first] = try_to_follow(input, chosen[i].first, chosen[i].second); });
+      for (const auto& [herd, candidate] : chosen) {
+        if (!days[herd]) --followers[std::size_t(candidate.plan)];
+      }
+    }
+  }
+
+  [[nodiscard]] std::optional<PlannedDay> try_to_follow(const PlanInput& input, std::size_t herd, const Candidate& candidate) const {
+    const int species = species_index_of(input.level, input.level.herds[herd]);
+    const FineGround ground = fine_ground(input, input.movement.travel->graph_of_species[std::size_t(species)]);
+    const auto plan = std::size_t(candidate.plan);
+    return follow_herd(input, int(herd),
+                       {candidate.plan, &plans_[plan], &courses_[plan], levels_[level_of_plan_[plan]]->graph.get(), candidate.node}, ground);
+  }
+
+  /// Herds whose region is a resource of the pack, by P_s(v) of that region and their size.
+  [[nodiscard]] std::vector<Candidate> candidates_of(const PlanInput& input, std::size_t number, int herd) const {
+    const Herd& pack = input.level.herds[std::size_t(herd)];
+    const int species = species_index_of(input.level, pack);
+    const auto& presence = input.movement.travel->presence[std::size_t(species)][std::size_t(pack.region)];
+    const auto& label = input.level.regions[std::size_t(species)]->label;
+    std::vector<Candidate> candidates;
+    for (std::size_t i = 0; i < plans_.size(); ++i) {
+      if (level_of_plan_[i] >= number || plans_[i].stops.empty()) continue;
+      const Herd& prey = levels_[level_of_plan_[i]]->herds[std::size_t(plans_[i].herd)];
+      const PathPoint home = plans_[i].way.front().at;
+      if (label(int(std::lround(home.x)), int(std::lround(home.y))) != pack.region) continue;
+      for (const auto& [node, probability] : presence) {
+        const ResourceNode& place = input.level.graph->nodes[std::size_t(node)];
+        if (place.kind != NodeKind::prey || place.group != prey.species || place.prey_region != prey.region) continue;
+        candidates.push_back({int(i), node, double(probability) * prey.size});
+        break;
+      }
+    }
+    return candidates;
+  }
+
+  static std::size_t draw(const std::vector<Candidate>& candidates, const std::vector<int>& followers, double unit) {
+    const auto weight = [&](const Candidate& c) { return c.weight / (1 + followers[std::size_t(c.plan)]); };
+    double total = 0;
+    for (const Candidate& c : candidates) total += weight(c);
+    double left = unit * total;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      if ((left -= weight(candidates[i])) < 0) return i;
+    }
+    return candidates.size() - 1;
+  }
+
+  const FoodWeb& web_;
+  std::span<const std::shared_ptr<const AnimalLevel>> levels_;
+  std::span<const LevelMovement> movement_;
+  const Ground& ground_;
+  std::uint64_t seed_;
+  std::vector<DailyPlan> plans_;
+  std::vector<HerdCourse> courses_;
+  std::vector<std::size_t> level_of_plan_;
+};
+
+}  // namespace
+
+DailyPlan stand_still(const PlanInput& input, int herd) {
+  const Herd& animals = input.level.herds[std::size_t(herd)];
+  const AnimalTraits& animal = input.web.species[std::size_t(animals.species)].animal();
+  DailyPlan plan{input.level.level, herd, animals.species, animals.size, -1, {}, active_hours(animal.activity), {}};
+  const ConfinementRegions& regions = *input.level.regions[std::size_t(species_index_of(input.level, animals))];
+  const Rect bounds = regions.regions[std::size_t(animals.region)].bounds;
+  // Any cell of the region: the first drawn ones, or else the first in order.
+  PathPoint at{float(bounds.x0), float(bounds.y0)};
+  bool found = false;
+  for (std::uint64_t i = 0; i < 64 && !found; ++i) {
+    const int x = random_int(bounds.x0, bounds.x1 - 1, {input.seed, std::uint64_t(input.level.level), std::uint64_t(herd), i, 51});
+    const int y = random_int(bounds.y0, bounds.y1 - 1, {input.seed, std::uint64_t(input.level.level), std::uint64_t(herd), i, 52});
+    found = regions.label(x, y) == animals.region;
+    if (found) at = {float(x), float(y)};
+  }
+  for (int y = bounds.y0; y < bounds.y1 && !found; ++y) {
+    for (int x = bounds.x0; x < bounds.x1 && !found; ++x) {
+      found = regions.label(x, y) == animals.region;
+      if (found) at = {float(x), float(y)};
+    }
+  }
+  plan.way = {{0, at}, {24, at}};
+  return plan;
+}
+
+Result<std::vector<DailyPlan>> compute_daily_plans(const FoodWeb& web, std::span<const std::shared_ptr<const AnimalLevel>> levels,
+                                                   std::span<const LevelMovement> movement, const Ground& ground, std::uint64_t seed,
+                                                   const TaskContext& context) {
+  assert(levels.size() == movement.size());
+  Planner planner(web, levels, movement, ground, seed);
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    if (context.stopped()) return fail("stopped");
+    planner.plan_level(i);
+    context.report("Daily plans", double(i + 1) / double(levels.size()));
+  }
+  return planner.take();
+}
+
+}  // namespace biotope

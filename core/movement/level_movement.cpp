@@ -1,0 +1,192 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/parallel.hpp"
+#include "core/movement/plan_parts.hpp"
+#include "core/movement/trails.hpp"
+#include "core/movement/travel_search.hpp"
+#include "core/movement/walkers.hpp"
+
+namespace biotope {
+namespace {
+
+/// Onward edges kept a node and species, and among them banks, so that a herd always finds its way to water. Our choice.
+constexpr std::size_t kept_edges = 14;
+constexpr std::size_t kept_banks = 2;
+/// Longer walks are no edges, s. Our choice.
+constexpr float longest_walk = 3 * 3600;
+
+/// One species in one region, ready to walk.
+struct Party {
+  int species_index = 0;
+  const std::vector<LevelTravel::Presence>* presence = nullptr;
+};
+
+struct Onward {
+  SpatialEdge edge;
+  float probability = 0;
+};
+
+void find_graphs(const FoodWeb& web, const AnimalLevel& level, const Ground& ground, LevelTravel& travel) {
+  std::vector<std::size_t> first_species;
+  std::vector<Mobility> mobilities;
+  for (std::size_t i = 0; i < level.species.size(); ++i) {
+    const Mobility mobility = mobility_of(web.species[std::size_t(level.species[i])].animal());
+    const auto known = std::find(mobilities.begin(), mobilities.end(), mobility);
+    travel.graph_of_species.push_back(int(known - mobilities.begin()));
+    if (known != mobilities.end()) continue;
+    mobilities.push_back(mobility);
+    first_species.push_back(i);
+  }
+  const int block = travel_block(ground.terrain->height.width(), ground.terrain->height.height());
+  travel.graphs.resize(mobilities.size());
+  travel.vertex_of_node.resize(mobilities.size());
+  parallel_each(mobilities.size(), [&](std::size_t i) {
+    auto graph = std::make_shared<const TravelGraph>(
+        build_travel_graph(ground, *level.regions[first_species[i]], mobilities[i], block));
+    for (const ResourceNode& node : level.graph->nodes) {
+      const auto cell = standing_cell(*graph, node);
+      travel.vertex_of_node[i].push_back(cell ? graph->vertex_of_cell(cell->x, cell->y) : -1);
+    }
+    travel.graphs[i] = std::move(graph);
+  });
+}
+
+/// Keeps the most probable onward edges, and the most probable banks among them.
+void keep_best(const std::vector<ResourceNode>& nodes, std::vector<Onward>& onward) {
+  const auto likelier = [](const Onward& a, const Onward& b) {
+    return a.probability != b.probability ? a.probability > b.probability : a.edge.to < b.edge.to;
+  };
+  std::sort(onward.begin(), onward.end(), likelier);
+  std::vector<Onward> kept;
+  std::size_t banks = 0;
+  for (const Onward& candidate : onward) {
+    const bool bank = nodes[std::size_t(candidate.edge.to)].kind == NodeKind::bank;
+    if (kept.size() < kept_edges || (bank && banks < kept_banks)) {
+      kept.push_back(candidate);
+      banks += bank;
+    }
+  }
+  std::sort(kept.begin(), kept.end(), [](const Onward& a, const Onward& b) { return a.edge.to < b.edge.to; });
+  onward = std::move(kept);
+}
+
+/// Edges of one species out of `from` (paper eq. 2), after a search from its vertex.
+std::vector<Onward> onward_edges(const AnimalLevel& level, const Party& party, const std::vector<std::int32_t>& vertex_of_node,
+                                 const TravelSearch& search, int from, float speed, double cell_size) {
+  const auto& nodes = level.graph->nodes;
+  std::vector<Onward> onward;
+  double sum = 0;
+  for (const auto& [node, probability] : *party.presence) {
+    const std::int32_t vertex = vertex_of_node[std::size_t(node)];
+    if (node == from || vertex < 0) continue;
+    const float cost = search.cost(std::uint32_t(vertex));
+    if (!std::isfinite(cost)) continue;
+    const ResourceNode& a = nodes[std::size_t(from)];
+    const ResourceNode& b = nodes[std::size_t(node)];
+    const double beeline = std::hypot(double(a.x - b.x), double(a.y - b.y)) * cell_size;
+    // Nodes in one block have no way between vertices; the straight line stands for it.
+    const float seconds = std::max(float(std::max(double(cost), vertex == vertex_of_node[std::size_t(from)] ? beeline : 0.0)) / speed,
+                                   shortest_walk);
+    sum += double(probability) / double(seconds);
+    onward.push_back({{from, node, level.species[std::size_t(party.species_index)], seconds}, float(double(probability) / double(seconds))});
+  }
+  for (Onward& candidate : onward) candidate.probability = float(double(candidate.probability) / sum);
+  std::erase_if(onward, [](const Onward& candidate) { return candidate.edge.seconds > longest_walk; });
+  keep_best(nodes, onward);
+  return onward;
+}
+
+/// Finds the edges out of every node of one graph's species.
+class EdgeFinder {
+ public:
+  EdgeFinder(const FoodWeb& web, const AnimalLevel& level, const LevelTravel& travel, std::size_t graph, double cell_size)
+      : web_(web), level_(level), travel_(travel), graph_(*travel.graphs[graph]), vertices_(travel.vertex_of_node[graph]), cell_size_(cell_size) {
+    for (std::size_t s = 0; s < level.species.size(); ++s) {
+      if (travel.graph_of_species[s] != int(graph)) continue;
+      for (const auto& presence : travel.presence[s]) {
+        if (!presence.empty()) parties_.push_back({int(s), &presence});
+      }
+    }
+    counts_.assign(graph_.vertices.size(), 0);
+    for (std::size_t node = 0; node < vertices_.size(); ++node) {
+      if (vertices_[node] >= 0) ++counts_[std::size_t(vertices_[node])];
+    }
+  }
+
+  void run(std::vector<Onward>& out) const {
+    const std::size_t nodes = vertices_.size();
+    std::vector<std::vector<Onward>> found(nodes);
+    constexpr std::size_t chunk = 16;
+    parallel_each((nodes + chunk - 1) / chunk, [&](std::size_t i) {
+      TravelSearch search(graph_, graph_.cost);
+      for (std::size_t node = i * chunk; node < std::min(nodes, (i + 1) * chunk); ++node) from_node(int(node), search, found[node]);
+    });
+    for (const auto& of_node : found) out.insert(out.end(), of_node.begin(), of_node.end());
+  }
+
+ private:
+  void from_node(int node, TravelSearch& search, std::vector<Onward>& out) const {
+    const std::int32_t vertex = vertices_[std::size_t(node)];
+    if (vertex < 0) return;
+    bool searched = false;
+    for (const Party& party : parties_) {
+      const auto& presence = *party.presence;
+      const auto here = std::lower_bound(presence.begin(), presence.end(), node, [](const auto& p, int n) { return p.node < n; });
+      if (here == presence.end() || here->node != node) continue;
+      if (!searched) search.run(std::uint32_t(vertex), counts_, searched_nodes);
+      searched = true;
+      const float speed = web_.species[std::size_t(level_.species[std::size_t(party.species_index)])].animal().speed;
+      const auto onward = onward_edges(level_, party, vertices_, search, node, speed, cell_size_);
+      out.insert(out.end(), onward.begin(), onward.end());
+    }
+  }
+
+  const FoodWeb& web_;
+  const AnimalLevel& level_;
+  const LevelTravel& travel_;
+  const TravelGraph& graph_;
+  const std::vector<std::int32_t>& vertices_;
+  double cell_size_;
+  std::vector<Party> parties_;
+  std::vector<std::uint16_t> counts_;
+};
+
+}  // namespace
+
+Result<LevelMovement> compute_level_movement(const FoodWeb& web, const AnimalLevel& level, const Ground& ground,
+                                             const TaskContext& context) {
+  auto travel = std::make_shared<LevelTravel>();
+  if (!level.species.empty()) find_graphs(web, level, ground, *travel);
+  context.report("Travel", 0.4);
+  if (context.stopped()) return fail("stopped");
+  travel->presence.resize(level.species.size());
+  for (std::size_t s = 0; s < level.species.size(); ++s) {
+    auto& of_region = travel->presence[s];
+    of_region.resize(level.regions[s]->regions.size());
+    parallel_each(of_region.size(), [&](std::size_t region) {
+      if (level.population[s][region] <= 0) return;
+      of_region[region] = presence_in_region(web, level, int(s), int(region));
+    });
+  }
+  std::vector<Onward> onward;
+  for (std::size_t graph = 0; graph < travel->graphs.size(); ++graph) {
+    if (context.stopped()) return fail("stopped");
+    EdgeFinder(web, level, *travel, graph, ground.terrain->cell_size).run(onward);
+    context.report("Travel", 0.4 + 0.6 * double(graph + 1) / double(travel->graphs.size()));
+  }
+  std::sort(onward.begin(), onward.end(), [](const Onward& a, const Onward& b) {
+    if (a.edge.species != b.edge.species) return a.edge.species < b.edge.species;
+    return a.edge.from != b.edge.from ? a.edge.from < b.edge.from : a.edge.to < b.edge.to;
+  });
+  LevelMovement movement;
+  for (const Onward& candidate : onward) {
+    movement.edges.push_back(candidate.edge);
+    travel->onward.push_back(candidate.probability);
+  }
+  movement.travel = std::move(travel);
+  return movement;
+}
+
+}  // namespace biotope

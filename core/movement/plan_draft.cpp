@@ -1,0 +1,221 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/random.hpp"
+#include "core/movement/plan_parts.hpp"
+
+namespace biotope {
+namespace {
+
+/// Ground an animal of a herd takes for itself at a resource, m2. Our choice.
+constexpr double ground_per_animal = 100;
+/// Banks are lines: an animal that drinks takes less. Our choice.
+constexpr double bank_per_animal = 10;
+/// No walk of a plan is longer, h. Our choice.
+constexpr float longest_leg = 2;
+/// Detour of a real way against the straight line, to guess the way home. Our choice.
+constexpr double detour = 1.4;
+constexpr std::size_t most_stops = 24;
+
+/// Drafts the days of one level.
+class Drafter {
+ public:
+  explicit Drafter(const PlanInput& input) : input_(input), taken_(input.level.graph->nodes.size()) {}
+
+  DayDraft draft(int herd_number) {
+    const Herd& herd = input_.level.herds[std::size_t(herd_number)];
+    day_ = {species_index_of(input_.level, herd), herd_number, {}};
+    animal_ = &input_.web.species[std::size_t(herd.species)].animal();
+    herd_ = herd;
+    presence_ = input_.movement.travel->presence[std::size_t(day_.species_index)][std::size_t(herd.region)];
+    home_ = choose_home();
+    if (home_ < 0) return day_;
+    visits_ = has_banks() ? animal_->water_visits : 0;
+    drunk_ = 0;
+    spans_ = active_hours(animal_->activity);
+    span_ = 0;
+    hour_ = spans_.front().from;
+    stay(home_);
+    while (day_.stays.size() < most_stops && go_on()) {
+    }
+    while (drunk_ < visits_ && visit(true)) {
+    }
+    return day_;
+  }
+
+ private:
+  [[nodiscard]] const ResourceNode& node(int number) const { return input_.level.graph->nodes[std::size_t(number)]; }
+  [[nodiscard]] bool is_bank(int number) const { return node(number).kind == NodeKind::bank; }
+  [[nodiscard]] int here() const { return day_.stays.back().node; }
+  [[nodiscard]] double chance(std::uint64_t what) const {
+    return random_unit({input_.seed, std::uint64_t(input_.level.level), std::uint64_t(day_.herd), what, day_.stays.size()});
+  }
+  [[nodiscard]] bool has_banks() const {
+    return std::any_of(presence_.begin(), presence_.end(), [&](const auto& p) { return is_bank(p.node); });
+  }
+
+  /// Whether the herd still finds room at a node at an hour.
+  [[nodiscard]] bool room(int number, float hour) const {
+    const auto& taken = taken_[std::size_t(number)];
+    const double each = is_bank(number) ? bank_per_animal : ground_per_animal;
+    return (taken[slot(hour)] + herd_.size) * each <= node(number).area || taken[slot(hour)] == 0;
+  }
+  static std::size_t slot(float hour) { return std::size_t(hour) % 24; }
+
+  /// An index drawn by weight; -1 when all are zero.
+  template <class Weight>
+  [[nodiscard]] int draw(std::size_t count, double unit, const Weight& weight) const {
+    double total = 0;
+    for (std::size_t i = 0; i < count; ++i) total += weight(i);
+    if (total <= 0) return -1;
+    double left = unit * total;
+    int last = -1;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double w = weight(i);
+      if (w <= 0) continue;
+      last = int(i);
+      if ((left -= w) < 0) break;
+    }
+    return last;
+  }
+
+  /// Where the herd rests at night: food by P_s(v), with room for it.
+  [[nodiscard]] int choose_home() {
+    for (const bool crowded : {false, true}) {
+      const int drawn = draw(presence_.size(), chance(1), [&](std::size_t i) {
+        const auto& [number, probability] = presence_[i];
+        if (is_bank(number) || !stands(number)) return 0.0;
+        return crowded || room(number, active_hours(animal_->activity).back().until) ? double(probability) : 0.0;
+      });
+      if (drawn >= 0) return presence_[std::size_t(drawn)].node;
+    }
+    return -1;
+  }
+  [[nodiscard]] bool stands(int number) const {
+    const LevelTravel& travel = *input_.movement.travel;
+    return travel.vertex_of_node[std::size_t(travel.graph_of_species[std::size_t(day_.species_index)])][std::size_t(number)] >= 0;
+  }
+
+  [[nodiscard]] float hours_home(int number) const {
+    const double metres =
+        std::hypot(double(node(number).x - node(home_).x), double(node(number).y - node(home_).y)) * input_.ground.terrain->cell_size;
+    return float(metres * detour / double(animal_->speed) / 3600);
+  }
+
+  /// 90 to 150 minutes (2021 authors), longer where more is to be had; drinking takes 25 to 45 minutes (our choice).
+  [[nodiscard]] float stay_hours(int number) const {
+    const double unit = chance(2);
+    if (is_bank(number)) return float((25 + 20 * unit) / 60);
+    double probability = 0;
+    for (const auto& p : presence_) {
+      if (p.node == number) probability = double(p.probability);
+    }
+    const double richness = std::min(1.0, 0.5 * probability * double(presence_.size()));
+    return float((90 + 60 * (0.5 * unit + 0.5 * richness)) / 60);
+  }
+
+  void stay(int number) {
+    const float hours = stay_hours(number);
+    day_.stays.push_back({number, hours, 0});
+    for (int h = 0; h <= int(hours); ++h) taken_[std::size_t(number)][slot(hour_ + float(h))] += herd_.size;
+    hour_ += hours;
+    if (is_bank(number)) ++drunk_;
+  }
+
+  /// Walks to a bank or to food, drawn by P_s(v' | v) among nodes with room; false when there is none.
+  bool visit(bool bank) {
+    const auto& edges = input_.movement.edges;
+    const std::pair key{herd_.species, here()};
+    const auto first = std::lower_bound(edges.begin(), edges.end(), key, [](const SpatialEdge& e, const auto& k) {
+      return std::pair{e.species, e.from} < k;
+    });
+    auto last = first;
+    while (last != edges.end() && last->species == herd_.species && last->from == here()) ++last;
+    const auto offset = std::size_t(first - edges.begin());
+    for (const bool crowded : {false, true}) {
+      const int drawn = draw(std::size_t(last - first), chance(bank ? 3 : 4), [&](std::size_t i) {
+        const SpatialEdge& edge = edges[offset + i];
+        const float walk = edge.seconds / 3600;
+        if (is_bank(edge.to) != bank || walk > longest_leg || (!crowded && !room(edge.to, hour_ + walk))) return 0.0;
+        // What lies far from home is for another day.
+        return double(input_.movement.travel->onward[offset + i]) / (1 + double(hours_home(edge.to)));
+      });
+      if (drawn < 0) continue;
+      const SpatialEdge& edge = edges[offset + std::size_t(drawn)];
+      hour_ += edge.seconds / 3600;
+      stay(edge.to);
+      return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool thirsty() const {
+    if (drunk_ >= visits_) return false;
+    const float day = spans_.back().until - spans_.front().from;
+    return hour_ + 0.5F >= spans_.front().from + day * (float(drunk_) + 0.5F) / float(visits_);
+  }
+
+  /// One more stop, or rest until the next active hours; false at the end of the day.
+  bool go_on() {
+    if (hour_ >= spans_[span_].until) {
+      if (span_ + 1 == spans_.size()) return false;
+      if (is_bank(here()) && !visit(false)) return false;
+      ++span_;
+      day_.stays.back().not_before = spans_[span_].from;
+      hour_ = std::max(hour_, spans_[span_].from);
+      return true;
+    }
+    if (thirsty() && !is_bank(here())) return visit(true);
+    constexpr float shortest_rest = 1.5F;
+    if (span_ + 1 == spans_.size() && hour_ + hours_home(here()) + shortest_rest >= spans_.back().until) return false;
+    return visit(false);
+  }
+
+  PlanInput input_;
+  /// Animals at each node by hour of the day.
+  std::vector<std::array<int, 24>> taken_;
+  DayDraft day_;
+  Herd herd_;
+  const AnimalTraits* animal_ = nullptr;
+  std::span<const LevelTravel::Presence> presence_;
+  std::vector<DailyPlan::Span> spans_;
+  std::size_t span_ = 0;
+  int home_ = -1;
+  int visits_ = 0;
+  int drunk_ = 0;
+  float hour_ = 0;
+};
+
+}  // namespace
+
+std::vector<DailyPlan::Span> active_hours(Activity activity) {
+  switch (activity) {
+    case Activity::diurnal:
+      return {{5, 21}};
+    case Activity::crepuscular:
+      return {{4, 10}, {16, 22}};
+    case Activity::nocturnal:
+      return {{18, 30}};
+    case Activity::cathemeral:
+      break;
+  }
+  return {{0, 24}};
+}
+
+int species_index_of(const AnimalLevel& level, const Herd& herd) {
+  const auto found = std::find(level.species.begin(), level.species.end(), herd.species);
+  assert(found != level.species.end());
+  return int(found - level.species.begin());
+}
+
+std::vector<DayDraft> draft_days(const PlanInput& input, std::span<const std::uint8_t> wanted) {
+  Drafter drafter(input);
+  std::vector<DayDraft> drafts;
+  for (std::size_t herd = 0; herd < wanted.size(); ++herd) {
+    if (wanted[herd]) drafts.push_back(drafter.draft(int(herd)));
+  }
+  return drafts;
+}
+
+}  // namespace biotope

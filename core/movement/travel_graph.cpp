@@ -1,0 +1,266 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/base/parallel.hpp"
+#include "core/movement/travel.hpp"
+#include "core/movement/walk_cost.hpp"
+
+namespace biotope {
+namespace {
+
+using Label = Grid<std::int32_t>;
+
+/// Two vertices in neighbouring blocks and the cost each way.
+struct Pair {
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+  float forth = 0;
+  float back = 0;
+};
+
+bool all_passable(const Label& label, const Rect& block) {
+  for (int y = block.y0; y < block.y1; ++y) {
+    const auto cells = label.row(y).subspan(std::size_t(block.x0), std::size_t(block.width()));
+    if (std::any_of(cells.begin(), cells.end(), [](std::int32_t region) { return region < 0; })) return false;
+  }
+  return true;
+}
+
+/// The cell of `cells` nearest to their mean (the first on ties).
+TravelGraph::Vertex representative(const std::vector<std::array<int, 2>>& cells, int region) {
+  double mean_x = 0;
+  double mean_y = 0;
+  for (const auto& [x, y] : cells) {
+    mean_x += x;
+    mean_y += y;
+  }
+  mean_x /= double(cells.size());
+  mean_y /= double(cells.size());
+  TravelGraph::Vertex best{cells[0][0], cells[0][1], region};
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const auto& [x, y] : cells) {
+    const double distance = (x - mean_x) * (x - mean_x) + (y - mean_y) * (y - mean_y);
+    if (distance < nearest) {
+      nearest = distance;
+      best.x = x;
+      best.y = y;
+    }
+  }
+  return best;
+}
+
+/// Numbers the 4-connected pieces inside a block by their first cell, from 0, in `out`.
+std::vector<TravelGraph::Vertex> label_block(const Label& label, const Rect& block, Label& out) {
+  std::vector<TravelGraph::Vertex> vertices;
+  if (all_passable(label, block)) {
+    for (int y = block.y0; y < block.y1; ++y) std::fill_n(out.row(y).begin() + block.x0, block.width(), 0);
+    const int x = block.x0 + block.width() / 2;
+    const int y = block.y0 + block.height() / 2;
+    vertices.push_back({x, y, label(x, y)});
+    return vertices;
+  }
+  std::vector<std::array<int, 2>> piece;
+  for (int y = block.y0; y < block.y1; ++y) {
+    for (int x = block.x0; x < block.x1; ++x) {
+      if (label(x, y) < 0 || out(x, y) >= 0) continue;
+      const auto number = std::int32_t(vertices.size());
+      piece.assign(1, {x, y});
+      out(x, y) = number;
+      for (std::size_t i = 0; i < piece.size(); ++i) {
+        const auto [px, py] = piece[i];
+        for (const auto& [dx, dy] : {std::array{1, 0}, std::array{0, 1}, std::array{-1, 0}, std::array{0, -1}}) {
+          const int nx = px + dx;
+          const int ny = py + dy;
+          if (!block.contains(nx, ny) || label(nx, ny) < 0 || out(nx, ny) >= 0) continue;
+          out(nx, ny) = number;
+          piece.push_back({nx, ny});
+        }
+      }
+      vertices.push_back(representative(piece, label(x, y)));
+    }
+  }
+  return vertices;
+}
+
+/// Cost of walking the straight line between two cells on the fine ground, both ways. What the line meets that cannot be walked counts as a
+/// detour: the caller knows that the fine cells connect.
+Pair straight_walk(const Ground& ground, const Label& label, const WalkCost& walk, int stride, const TravelGraph::Vertex& a,
+                   const TravelGraph::Vertex& b) {
+  const Grid<float>& height = ground.terrain->height;
+  const Grid<float>* water = ground.hydrology ? &ground.hydrology->water_depth : nullptr;
+  const int dx = b.x - a.x;
+  const int dy = b.y - a.y;
+  const int span = std::max(std::abs(dx), std::abs(dy));
+  const int steps = std::max(1, (span + stride - 1) / stride);
+  int x = a.x;
+  int y = a.y;
+  double walked = 0;
+  double forth = 0;
+  double back = 0;
+  for (int i = 1; i <= steps; ++i) {
+    const int nx = a.x + (2 * dx * i + steps + 2 * steps * span) / (2 * steps) - span;
+    const int ny = a.y + (2 * dy * i + steps + 2 * steps * span) / (2 * steps) - span;
+    const double run = std::sqrt(double((nx - x) * (nx - x) + (ny - y) * (ny - y))) * ground.terrain->cell_size;
+    const auto slope = float((height(nx, ny) - height(x, y)) / run);
+    double factor = run;
+    if (label(nx, ny) < 0) factor *= detour_factor;
+    if (water && (*water)(nx, ny) > 0) factor *= wading_factor;
+    walked += run;
+    forth += factor * walk(slope);
+    back += factor * walk(-slope);
+    x = nx;
+    y = ny;
+  }
+  const double length = std::hypot(double(dx), double(dy)) * ground.terrain->cell_size;
+  return {0, 0, float(forth * length / walked), float(back * length / walked)};
+}
+
+/// Builds one graph; the steps share the ground and what has been made so far.
+class Builder {
+ public:
+  Builder(const Ground& ground, const ConfinementRegions& regions, const Mobility& mobility, int block)
+      : ground_(ground), label_(regions.label), walk_(mobility), stride_(walking_stride(ground.terrain->cell_size)) {
+    graph_.mobility = mobility;
+    graph_.block = block;
+    graph_.columns = (label_.width() + block - 1) / block;
+    graph_.rows = (label_.height() + block - 1) / block;
+  }
+
+  TravelGraph build() {
+    number_vertices();
+    std::vector<std::vector<Pair>> pairs(blocks());
+    parallel_rows(0, graph_.rows, [&](int row) {
+      for (int column = 0; column < graph_.columns; ++column) {
+        pairs[std::size_t(row) * std::size_t(graph_.columns) + std::size_t(column)] = pairs_of(block_rect(column, row));
+      }
+    });
+    connect(pairs);
+    return std::move(graph_);
+  }
+
+ private:
+  [[nodiscard]] std::size_t blocks() const { return std::size_t(graph_.columns) * std::size_t(graph_.rows); }
+  [[nodiscard]] Rect block_rect(int column, int row) const {
+    return intersection(label_.rect(), {column * graph_.block, row * graph_.block, (column + 1) * graph_.block, (row + 1) * graph_.block});
+  }
+
+  void number_vertices() {
+    Label& cells = graph_.vertex_of_cell;
+    cells = Label(label_.width(), label_.height(), -1);
+    std::vector<std::vector<TravelGraph::Vertex>> found(blocks());
+    const auto of_row = [&](int row, const auto& body) {
+      for (int column = 0; column < graph_.columns; ++column) {
+        body(block_rect(column, row), std::size_t(row) * std::size_t(graph_.columns) + std::size_t(column));
+      }
+    };
+    parallel_rows(0, graph_.rows, [&](int row) {
+      of_row(row, [&](const Rect& block, std::size_t i) { found[i] = label_block(label_, block, cells); });
+    });
+    std::vector<std::int32_t> first(blocks());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      first[i] = std::int32_t(graph_.vertices.size());
+      graph_.vertices.insert(graph_.vertices.end(), found[i].begin(), found[i].end());
+    }
+    parallel_rows(0, graph_.rows, [&](int row) {
+      of_row(row, [&](const Rect& block, std::size_t i) {
+        if (found[i].empty()) return;
+        for (int y = block.y0; y < block.y1; ++y) {
+          for (std::int32_t& vertex : cells.row(y).subspan(std::size_t(block.x0), std::size_t(block.width()))) {
+            if (vertex >= 0) vertex += first[i];
+          }
+        }
+      });
+    });
+  }
+
+  /// Adds the pair of vertices of two cells that touch, once.
+  void touch(std::vector<Pair>& pairs, int ax, int ay, int bx, int by) const {
+    const std::int32_t a = graph_.vertex_of_cell(ax, ay);
+    const std::int32_t b = graph_.vertex_of_cell(bx, by);
+    if (a < 0 || b < 0) return;
+    const auto same = [&](const Pair& pair) { return pair.a == std::uint32_t(a) && pair.b == std::uint32_t(b); };
+    if (std::any_of(pairs.rbegin(), pairs.rend(), same)) return;
+    Pair pair = straight_walk(ground_, label_, walk_, stride_, graph_.vertices[std::size_t(a)], graph_.vertices[std::size_t(b)]);
+    pair.a = std::uint32_t(a);
+    pair.b = std::uint32_t(b);
+    pairs.push_back(pair);
+  }
+
+  /// Pairs of a block with the blocks east, south, south-east and south-west of it.
+  [[nodiscard]] std::vector<Pair> pairs_of(const Rect& block) const {
+    std::vector<Pair> pairs;
+    if (block.x1 < label_.width()) {
+      for (int y = block.y0; y < block.y1; ++y) touch(pairs, block.x1 - 1, y, block.x1, y);
+    }
+    if (block.y1 < label_.height()) {
+      for (int x = block.x0; x < block.x1; ++x) touch(pairs, x, block.y1 - 1, x, block.y1);
+      if (block.x1 < label_.width()) touch_corner(pairs, block.x1 - 1, 1, block.y1 - 1);
+      if (block.x0 > 0) touch_corner(pairs, block.x0, -1, block.y1 - 1);
+    }
+    return pairs;
+  }
+
+  /// Across a shared corner, where an animal can go diagonally without cutting a blocked corner.
+  void touch_corner(std::vector<Pair>& pairs, int x, int side, int y) const {
+    if (label_(x + side, y) < 0 || label_(x, y + 1) < 0) return;
+    touch(pairs, x, y, x + side, y + 1);
+  }
+
+  void connect(const std::vector<std::vector<Pair>>& pairs) {
+    std::vector<std::uint32_t>& first = graph_.first_edge;
+    first.assign(graph_.vertices.size() + 1, 0);
+    for (const auto& of_block : pairs) {
+      for (const Pair& pair : of_block) {
+        ++first[pair.a + 1];
+        ++first[pair.b + 1];
+        ++graph_.edge_count;
+      }
+    }
+    for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
+    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+    graph_.target.resize(first.back());
+    graph_.cost.resize(first.back());
+    graph_.edge.resize(first.back());
+    std::uint32_t number = 0;
+    const auto put = [&](std::uint32_t from, std::uint32_t to, float cost) {
+      const std::uint32_t slot = next[from]++;
+      graph_.target[slot] = to;
+      graph_.cost[slot] = cost;
+      graph_.edge[slot] = number;
+    };
+    for (const auto& of_block : pairs) {
+      for (const Pair& pair : of_block) {
+        put(pair.a, pair.b, pair.forth);
+        put(pair.b, pair.a, pair.back);
+        ++number;
+      }
+    }
+  }
+
+  const Ground& ground_;
+  const Label& label_;
+  WalkCost walk_;
+  int stride_;
+  TravelGraph graph_;
+};
+
+}  // namespace
+
+int travel_block(int width, int height) {
+  constexpr int blocks = 96;
+  return std::max(1, (std::max(width, height) + blocks / 2) / blocks);
+}
+
+int walking_stride(double cell_size) {
+  constexpr double step = 4;
+  return std::clamp(int(std::lround(step / cell_size)), 1, 4);
+}
+
+TravelGraph build_travel_graph(const Ground& ground, const ConfinementRegions& regions, const Mobility& mobility, int block) {
+  assert(block >= 1 && regions.label.rect() == ground.terrain->height.rect());
+  return Builder(ground, regions, mobility, block).build();
+}
+
+}  // namespace biotope
