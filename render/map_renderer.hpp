@@ -43,9 +43,16 @@ struct MapOptions {
   double hour = 10.5;
   /// Paint to hatch; null for none.
   std::shared_ptr<const PaintLayer> hatched;
+  /// Places to hatch in red: painted beyond what resources allow; null for none.
+  std::shared_ptr<const PaintLayer> beyond;
+  /// Multiplies the width of lines, marks and hatches on screens of high density.
+  float pixel_scale = 1;
   std::vector<bool> visible_species;
   bool dark = true;
 };
+
+/// True when everything but the herds would be drawn alike.
+[[nodiscard]] bool same_ground(const MapOptions& a, const MapOptions& b);
 
 /// Draws the 2D map with OpenGL: hill-shaded terrain, water, overlay, contours, trails, herds. Needs a current OpenGL 4.5 core context.
 class MapRenderer {
@@ -56,8 +63,12 @@ class MapRenderer {
   MapRenderer& operator=(const MapRenderer&) = delete;
 
   void set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot);
+  /// Tells that cells of `rect` of the overlay uploaded last have changed in place (a brush stroke); uploads only those.
+  void patch_overlay(const Grid<float>& cells, const Rect& rect);
   /// Draws into the framebuffer bound now, over width x height pixels.
   void draw(const MapOptions& options, int width, int height);
+  /// False while the relief of a large terrain is still being shaded, a few million cells a draw.
+  [[nodiscard]] bool complete() const;
 
  private:
   MapRenderer();

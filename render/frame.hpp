@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+
+#include "render/camera.hpp"
+#include "render/daylight.hpp"
+
+namespace biotope {
+
+/// What every shader of the landscape reads (uniform block `Frame` of shaders/landscape/frame.glsl, std140).
+struct FrameUniforms {
+  glm::mat4 view_projection{1};  ///< of positions relative to the eye
+  glm::vec4 eye{0};              ///< metres; w: pixels per radian
+  glm::vec4 light_direction{0};  ///< w: night 0..1
+  glm::vec4 light_colour{0};     ///< w: month as a float
+  glm::vec4 sun_direction{0};
+  glm::vec4 ambient_sky{0};
+  glm::vec4 ambient_ground{0};
+  glm::vec4 horizon{0};
+  glm::vec4 zenith{0};
+  glm::vec4 fog{0};      ///< extinction 1/m at the base height, 1/scale height, base height, quality
+  glm::vec4 terrain{0};  ///< width, height (m), cell size (m), lowest ground (m)
+  glm::vec4 camera_right{0};
+  glm::vec4 camera_up{0};
+  glm::vec4 camera_forward{0};  ///< w: tangent of half the vertical field
+  glm::vec4 shade_area{0};      ///< canopy shade texture: west, south, side in metres, strength
+};
+inline constexpr unsigned frame_binding = 0;
+
+/// The six half-spaces a camera sees, for culling. Positions in metres relative to the eye.
+class Frustum {
+ public:
+  Frustum() = default;
+  explicit Frustum(const glm::mat4& view_projection);
+  /// False only when the sphere lies wholly outside.
+  [[nodiscard]] bool meets_sphere(const glm::vec3& centre, float radius) const;
+  /// False only when the box lies wholly outside one side.
+  [[nodiscard]] bool meets_box(const glm::vec3& low, const glm::vec3& high) const;
+
+ private:
+  std::array<glm::vec4, 6> planes_{};
+};
+
+/// View and projection of positions relative to the eye; `near` and `far` in metres.
+[[nodiscard]] glm::mat4 view_projection(const Camera& camera, float aspect, float near_plane, float far_plane);
+
+/// Fills the camera's and the light's part.
+void set_view(FrameUniforms& frame, const Camera& camera, int width, int height, float near_plane, float far_plane);
+void set_light(FrameUniforms& frame, const Daylight& light, int month);
+
+}  // namespace biotope

@@ -1,0 +1,187 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+
+#include "core/base/parallel.hpp"
+#include "core/base/random.hpp"
+#include "render/ground_maps.hpp"
+
+namespace biotope {
+
+namespace {
+
+glm::vec3 linear(float r, float g, float b) {
+  const auto c = linear_colour({r, g, b});
+  return {c[0], c[1], c[2]};
+}
+
+/// Colours of bare ground, our choice: earthy and a little desaturated.
+struct Palette {
+  glm::vec3 limestone = linear(0.64F, 0.62F, 0.57F);
+  glm::vec3 marl = linear(0.47F, 0.41F, 0.32F);
+  glm::vec3 scree = linear(0.55F, 0.535F, 0.51F);
+  glm::vec3 alluvium = linear(0.53F, 0.49F, 0.41F);
+  glm::vec3 bed = linear(0.36F, 0.35F, 0.29F);
+  glm::vec3 moist_earth = linear(0.31F, 0.26F, 0.19F);
+  glm::vec3 dry_grass = linear(0.56F, 0.52F, 0.32F);
+  glm::vec3 fresh_grass = linear(0.34F, 0.43F, 0.19F);
+  glm::vec3 winter_grass = linear(0.48F, 0.44F, 0.31F);
+  glm::vec3 forest_floor = linear(0.24F, 0.20F, 0.13F);
+};
+
+/// One plant as the ground painter needs it.
+struct PlantTint {
+  const CoverMap* cover;
+  Stratum stratum;
+  glm::vec3 colour;
+  float leafy;
+};
+
+std::vector<PlantTint> plant_tints(const MapsSnapshot& snapshot, int month, const SpeciesVisibility& visible) {
+  std::vector<PlantTint> tints;
+  if (!snapshot.web || snapshot.web->levels.empty()) return tints;
+  const auto& plants = snapshot.web->levels[0];
+  for (std::size_t i = 0; i < plants.size() && i < snapshot.cover.size(); ++i) {
+    const auto number = std::size_t(plants[i]);
+    if (!snapshot.cover[i] || (number < visible.size() && !visible[number])) continue;
+    const PlantTraits& plant = snapshot.web->species[number].plant();
+    const SeasonalFoliage foliage = seasonal_foliage(plant, month);
+    tints.push_back({snapshot.cover[i].get(), plant.stratum, {foliage.colour[0], foliage.colour[1], foliage.colour[2]},
+                     1 - 0.75F * foliage.bare});
+  }
+  return tints;
+}
+
+struct CellLook {
+  glm::vec3 ground;
+  float rock = 0;
+  glm::vec3 canopy{0.05F};
+  float canopy_cover = 0;
+};
+
+class GroundPainter {
+ public:
+  GroundPainter(const MapsSnapshot& snapshot, int month, const SpeciesVisibility& visible)
+      : snapshot_(snapshot), tints_(plant_tints(snapshot, month, visible)) {
+    // Grass is fresh in late spring, straw-coloured in late summer, dull in winter.
+    constexpr std::array<float, 12> freshness{0.25F, 0.3F, 0.5F, 0.8F, 1.0F, 0.95F, 0.75F, 0.6F, 0.55F, 0.45F, 0.35F, 0.25F};
+    freshness_ = freshness[std::size_t(month)];
+    winter_ = month <= 1 || month >= 10 ? 0.7F : 0.0F;
+  }
+
+  CellLook look(int x, int y) const {
+    CellLook cell;
+    const float slope = slope_at(x, y);
+    const float moisture = snapshot_.environment ? std::clamp((snapshot_.environment->map(Resource::moisture).mean(x, y) - 1) / 8, 0.0F, 1.0F) : 0.5F;
+    cell.rock = std::clamp((slope - 0.75F) / 0.55F, 0.0F, 1.0F);
+    glm::vec3 bare = bare_ground(x, y, slope, moisture, cell.rock);
+    // A thin sward grows wherever nothing else is known or counted: the herbs of the species list are only part of it.
+    const glm::vec3 green = glm::mix(palette_.dry_grass, palette_.fresh_grass, std::clamp(freshness_ * (0.35F + 0.9F * moisture), 0.0F, 1.0F));
+    const glm::vec3 grass = glm::mix(green, palette_.winter_grass, winter_);
+    const float sward = (1 - cell.rock) * (tints_.empty() ? 0.85F : 0.45F);
+    cell.ground = glm::mix(bare, grass, sward);
+    plants(x, y, cell);
+    if (snapshot_.hydrology && snapshot_.hydrology->water_depth(x, y) > 0.05F) cell.ground = glm::mix(cell.ground, palette_.bed, 0.8F);
+    return cell;
+  }
+
+ private:
+  float slope_at(int x, int y) const {
+    if (snapshot_.derivatives) return snapshot_.derivatives->slope(x, y);
+    const Grid<float>& height = snapshot_.terrain().height;
+    const float run = float(2 * snapshot_.terrain().cell_size);
+    return std::hypot(height.clamped(x + 1, y) - height.clamped(x - 1, y), height.clamped(x, y + 1) - height.clamped(x, y - 1)) / run;
+  }
+
+  glm::vec3 bare_ground(int x, int y, float slope, float moisture, float rock) const {
+    glm::vec3 soil = palette_.marl;
+    glm::vec3 cliff = palette_.limestone;
+    if (snapshot_.environment && snapshot_.environment->geology) {
+      switch ((*snapshot_.environment->geology)(x, y)) {
+        case Geology::limestone: soil = glm::mix(palette_.marl, palette_.limestone, 0.6F); break;
+        case Geology::water: soil = palette_.bed; break;
+        case Geology::marl: cliff = glm::mix(palette_.limestone, palette_.marl, 0.35F); break;
+        case Geology::scree: soil = palette_.scree; cliff = palette_.scree; break;
+        case Geology::alluvium: soil = palette_.alluvium; break;
+      }
+    }
+    soil = glm::mix(soil, palette_.moist_earth, 0.6F * moisture);
+    const float stony = std::clamp((slope - 0.45F) / 0.4F, 0.0F, 1.0F) * 0.5F;
+    return glm::mix(glm::mix(soil, palette_.scree, stony), cliff, rock);
+  }
+
+  void plants(int x, int y, CellLook& cell) const {
+    glm::vec3 canopy(0);
+    glm::vec3 herbs(0);
+    float herb_cover = 0;
+    float tree_cover = 0;
+    float canopy_leaves = 0;
+    for (const PlantTint& tint : tints_) {
+      const float cover = cover_fraction((*tint.cover)(x, y));
+      if (cover <= 0) continue;
+      if (tint.stratum == Stratum::herb) {
+        herbs += cover * tint.colour;
+        herb_cover += cover;
+      } else {
+        canopy += cover * tint.colour;
+        canopy_leaves += cover * tint.leafy;
+        tree_cover += cover * (tint.stratum == Stratum::tree ? 1.0F : 0.5F);
+        cell.canopy_cover += cover;
+      }
+    }
+    if (herb_cover > 0) cell.ground = glm::mix(cell.ground, herbs / herb_cover * 1.25F, std::min(herb_cover, 1.0F) * 0.8F);
+    cell.ground = glm::mix(cell.ground, palette_.forest_floor, 0.7F * std::min(tree_cover, 1.0F));
+    if (cell.canopy_cover <= 0) return;
+    // Seen from afar a canopy is darker than its leaves: half of it is shade between crowns.
+    cell.canopy = canopy / cell.canopy_cover * 0.62F;
+    cell.canopy_cover = std::min(1.0F, canopy_leaves);
+  }
+
+  const MapsSnapshot& snapshot_;
+  std::vector<PlantTint> tints_;
+  Palette palette_;
+  float freshness_ = 1;
+  float winter_ = 0;
+};
+
+Rgba coded(const glm::vec3& colour, float alpha) {
+  const auto code = [](float v) { return std::uint8_t(std::lround(std::sqrt(std::clamp(v, 0.0F, 1.0F)) * 255)); };
+  return {code(colour.r), code(colour.g), code(colour.b), std::uint8_t(std::lround(std::clamp(alpha, 0.0F, 1.0F) * 255))};
+}
+
+}  // namespace
+
+std::array<float, 3> linear_colour(const std::array<float, 3>& srgb) {
+  return {std::pow(srgb[0], 2.2F), std::pow(srgb[1], 2.2F), std::pow(srgb[2], 2.2F)};
+}
+
+SeasonalFoliage seasonal_foliage(const PlantTraits& plant, int month) {
+  const std::array<float, 3> leaf = linear_colour(plant.shape.leaf_colour);
+  const std::array<float, 3> autumn = linear_colour(plant.shape.autumn_colour);
+  // Share of autumn colour and of fallen leaves by month, for the temperate northern hemisphere (our choice).
+  constexpr std::array<float, 12> turning{1, 1, 0.6F, 0.15F, 0, 0, 0, 0.05F, 0.25F, 0.9F, 1, 1};
+  constexpr std::array<float, 12> fallen{1, 1, 0.85F, 0.3F, 0, 0, 0, 0, 0, 0.25F, 0.8F, 1};
+  const auto m = std::size_t(std::clamp(month, 0, 11));
+  const bool herb = plant.stratum == Stratum::herb;
+  const float turn = plant.shape.evergreen ? 0.25F * turning[m] : turning[m];
+  // Young leaves of May are lighter than those of late summer.
+  const float young = month == 3 || month == 4 ? 1.12F : 1.0F;
+  SeasonalFoliage out;
+  for (std::size_t i = 0; i < 3; ++i) out.colour[i] = (leaf[i] + (autumn[i] - leaf[i]) * turn) * young;
+  out.bare = plant.shape.evergreen || herb ? 0.0F : fallen[m];
+  return out;
+}
+
+void colour_ground(const MapsSnapshot& snapshot, int month, const SpeciesVisibility& visible, const Rect& rect, GroundColours& out) {
+  const GroundPainter painter(snapshot, month, visible);
+  parallel_rows(rect.y0, rect.y1, [&](int y) {
+    for (int x = rect.x0; x < rect.x1; ++x) {
+      const CellLook cell = painter.look(x * out.stride + out.stride / 2, y * out.stride + out.stride / 2);
+      const float grain = 0.94F + 0.12F * float(random_unit({0x67726f756e64ULL, std::uint64_t(x), std::uint64_t(y)}));
+      out.ground(x, y) = coded(cell.ground * grain, cell.rock);
+      out.canopy(x, y) = coded(cell.canopy * grain, cell.canopy_cover);
+    }
+  });
+}
+
+}  // namespace biotope

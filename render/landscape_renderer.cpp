@@ -1,0 +1,107 @@
+#include "render/landscape_renderer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/frame.hpp"
+#include "render/sky_renderer.hpp"
+#include "render/terrain_renderer.hpp"
+
+namespace biotope {
+
+struct LandscapeRenderer::State {
+  std::shared_ptr<const MapsSnapshot> snapshot;
+  std::unique_ptr<TerrainRenderer> terrain;
+  SkyRenderer sky;
+  Buffer frame_buffer = make_buffer();
+  LandscapeStatistics statistics;
+
+  FrameUniforms frame(const Camera& camera, const LandscapeOptions& options, const Daylight& light, int width, int height) const;
+};
+
+LandscapeRenderer::LandscapeRenderer() : state_(std::make_unique<State>()) {}
+LandscapeRenderer::~LandscapeRenderer() = default;
+
+Result<std::unique_ptr<LandscapeRenderer>> LandscapeRenderer::create() {
+  std::unique_ptr<LandscapeRenderer> renderer(new LandscapeRenderer);
+  State& state = *renderer->state_;
+  auto terrain = TerrainRenderer::create();
+  if (!terrain) return tl::unexpected(terrain.error());
+  state.terrain = std::move(*terrain);
+  auto sky = SkyRenderer::create();
+  if (!sky) return tl::unexpected(sky.error());
+  state.sky = std::move(*sky);
+  return renderer;
+}
+
+void LandscapeRenderer::set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot) {
+  if (!snapshot || !snapshot->document.terrain || snapshot->document.terrain->height.empty()) return;
+  state_->snapshot = snapshot;
+  state_->terrain->set_snapshot(std::move(snapshot));
+}
+
+FrameUniforms LandscapeRenderer::State::frame(const Camera& camera, const LandscapeOptions& options, const Daylight& light, int width,
+                                              int height) const {
+  const Terrain& ground = snapshot->terrain();
+  const glm::vec2 heights = terrain->height_range();
+  const double above = camera.position.z - ground_height(ground, camera.position.x, camera.position.y);
+  const float near_plane = std::clamp(float(above) * 0.2F, 0.3F, 25.0F);
+  const float extent = float(std::max(ground.width_metres(), ground.height_metres()));
+  const float far_plane = 4.5F * extent + float(std::abs(above)) + (heights.y - heights.x);
+  FrameUniforms out;
+  set_view(out, camera, width, height, near_plane, far_plane);
+  set_light(out, light, options.month);
+  // Haze takes half the light over about 1.3 times the map's side, at most 9 km: far ridges are veiled but there.
+  const float clear = std::clamp(1.3F * extent, 2500.0F, 9000.0F);
+  out.fog = {0.693F / clear, 1.0F / std::max(300.0F, 1.2F * (heights.y - heights.x)), heights.x, options.quality};
+  out.terrain = {float(ground.width_metres()), float(ground.height_metres()), float(ground.cell_size), heights.x};
+  return out;
+}
+
+void LandscapeRenderer::draw(const Camera& camera, const LandscapeOptions& options, int width, int height) {
+  State& state = *state_;
+  state.statistics = {};
+  glViewport(0, 0, width, height);
+  glDisable(GL_BLEND);
+  glDisable(GL_SCISSOR_TEST);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_CULL_FACE);
+  glClearColor(0.45F, 0.5F, 0.55F, 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  if (!state.snapshot || width <= 0 || height <= 0) return;
+
+  const Terrain& ground = state.snapshot->terrain();
+  const Daylight light = daylight(ground.latitude, options.month, options.hour);
+  TerrainLook look;
+  look.month = options.month;
+  look.visible = options.visible_species;
+  look.water = options.water;
+  look.trails = options.trails;
+  look.quality = options.quality;
+  look.canopy_strength = options.plants ? 1.0F : 0.0F;
+  if (options.brush) {
+    const float cell = float(ground.cell_size);
+    look.brush = glm::vec3((options.brush->x + 0.5F) * cell, (float(ground.height.height()) - 0.5F - options.brush->y) * cell,
+                           options.brush->z * cell);
+  }
+  state.terrain->prepare(look, light.light_direction);
+  const FrameUniforms frame = state.frame(camera, options, light, width, height);
+  stream(state.frame_buffer, std::span<const FrameUniforms>(&frame, 1));
+  glBindBufferBase(GL_UNIFORM_BUFFER, frame_binding, state.frame_buffer.name());
+  const Frustum frustum(frame.view_projection);
+
+  const auto count = [&](const DrawCount& drawn) {
+    state.statistics.draw_calls += drawn.draw_calls;
+    state.statistics.triangles += drawn.triangles;
+  };
+  count(state.terrain->draw(look, camera.position, frustum));
+  state.sky.draw();
+  count({1, 1});
+  glBindVertexArray(0);
+}
+
+const LandscapeStatistics& LandscapeRenderer::statistics() const { return state_->statistics; }
+
+}  // namespace biotope

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "core/base/grid.hpp"
+#include "core/movement/trails.hpp"
+#include "core/terrain/hydrology.hpp"
+#include "core/terrain/terrain.hpp"
+
+namespace biotope {
+
+/// Water and trails on a grid finer than the terrain, so that a brook or a trail narrower than a cell keeps its width and reads as one
+/// line from any height.
+struct LineField {
+  /// Fine cells per terrain cell.
+  int scale = 1;
+  /// Metres to the nearest shore, positive in water, coded 128 + 15.875 m and clamped to +-8 m (shore_reach).
+  Grid<std::uint8_t> shore;
+  /// Worn earth 0..255.
+  Grid<std::uint8_t> wear;
+};
+
+/// Farthest distance to a shore that a LineField tells, m.
+inline constexpr float shore_reach = 8;
+[[nodiscard]] inline float shore_distance(std::uint8_t code) { return (float(code) - 128.0F) * (shore_reach / 127.0F); }
+
+/// Fine cells per terrain cell so that no side is longer than `longest` cells.
+[[nodiscard]] int line_field_scale(int width, int height, int longest = 4096);
+
+/// Distance to the shore of lakes and sea (from their cells) and of rivers (from their reaches, smoothed, with the width of their discharge).
+[[nodiscard]] Grid<std::uint8_t> shore_field(const Terrain& terrain, const Hydrology& hydrology, int scale);
+/// Worn earth along the routes of a network: 0.5 m wide where little used, up to 2 m.
+[[nodiscard]] Grid<std::uint8_t> wear_field(const Terrain& terrain, const TrailNetwork& trails, int scale);
+
+}  // namespace biotope

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "render/frame.hpp"
+#include "render/gl_objects.hpp"
+#include "render/ground_maps.hpp"
+#include "render/shader_program.hpp"
+#include "render/terrain_mesh.hpp"
+
+namespace biotope {
+
+/// What of the ground is shown, and how.
+struct TerrainLook {
+  int month = 5;
+  SpeciesVisibility visible;
+  bool water = true;
+  bool trails = true;
+  float quality = 1;
+  /// Crowns are painted on the ground from `canopy_from` metres on, wholly from `canopy_whole`; strength 0 shows none.
+  float canopy_from = 700;
+  float canopy_whole = 1100;
+  float canopy_strength = 1;
+  /// Brush ring: x, y, radius in metres.
+  std::optional<glm::vec3> brush;
+};
+
+struct DrawCount {
+  int draw_calls = 0;
+  std::size_t triangles = 0;
+};
+
+/// Draws the ground with its water and trails. Textures are made from the snapshot, and made again only where it changed.
+class TerrainRenderer {
+ public:
+  [[nodiscard]] static Result<std::unique_ptr<TerrainRenderer>> create();
+
+  void set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot);
+  /// Brings the textures up to date with snapshot, season and light. Call before draw, with a snapshot set.
+  void prepare(const TerrainLook& look, const glm::vec3& light_direction);
+  DrawCount draw(const TerrainLook& look, const glm::dvec3& eye, const Frustum& frustum) const;
+
+  /// Binds height and sunlight textures (units 0 and 6), which plants and animals read too.
+  void bind_shared() const;
+  /// The tileable noise texture.
+  [[nodiscard]] GLuint detail() const { return detail_.name(); }
+  /// Ground as it is drawn, m.
+  [[nodiscard]] const Grid<float>& surface() const { return surface_; }
+  [[nodiscard]] glm::vec2 height_range() const { return bounds_.whole(); }
+  /// Unit that holds the shade of crowns (bound by whoever draws it).
+  static constexpr GLuint canopy_shade_unit = 7;
+
+ private:
+  TerrainRenderer() = default;
+  void make_patch();
+  void make_surface();
+  void make_lines();
+  void colour(const TerrainLook& look);
+  void upload_colours(const Rect& texels);
+  void shade(const glm::vec3& light_direction);
+  [[nodiscard]] std::vector<Rect> changed_texels() const;
+
+  std::shared_ptr<const MapsSnapshot> snapshot_;
+  /// The snapshot whose covers the colours show.
+  std::shared_ptr<const MapsSnapshot> coloured_;
+  bool surface_stale_ = true;
+  bool lines_stale_ = true;
+  bool colours_stale_ = true;
+  int coloured_month_ = -1;
+  SpeciesVisibility coloured_visible_;
+  glm::vec3 shaded_light_{0};
+
+  int stride_ = 1;
+  Grid<float> surface_;
+  Grid<float> thin_surface_;
+  HeightBounds bounds_;
+  GroundColours colours_;
+  ShaderProgram program_;
+  VertexArray patch_array_;
+  Buffer patch_vertices_;
+  Buffer patch_indices_;
+  Buffer patch_instances_;
+  GLsizei patch_index_count_ = 0;
+  Texture heights_;
+  Texture normals_;
+  Texture ground_;
+  Texture canopy_;
+  Texture lines_;
+  Texture sunlit_;
+  Texture detail_;
+};
+
+}  // namespace biotope
