@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/animal_renderer.hpp"
 #include "render/frame.hpp"
 #include "render/sky_renderer.hpp"
 #include "render/terrain_renderer.hpp"
@@ -12,6 +13,7 @@ namespace biotope {
 struct LandscapeRenderer::State {
   std::shared_ptr<const MapsSnapshot> snapshot;
   std::unique_ptr<TerrainRenderer> terrain;
+  std::unique_ptr<AnimalRenderer> animals;
   SkyRenderer sky;
   Buffer frame_buffer = make_buffer();
   LandscapeStatistics statistics;
@@ -28,6 +30,9 @@ Result<std::unique_ptr<LandscapeRenderer>> LandscapeRenderer::create() {
   auto terrain = TerrainRenderer::create();
   if (!terrain) return tl::unexpected(terrain.error());
   state.terrain = std::move(*terrain);
+  auto animals = AnimalRenderer::create();
+  if (!animals) return tl::unexpected(animals.error());
+  state.animals = std::move(*animals);
   auto sky = SkyRenderer::create();
   if (!sky) return tl::unexpected(sky.error());
   state.sky = std::move(*sky);
@@ -97,6 +102,7 @@ void LandscapeRenderer::draw(const Camera& camera, const LandscapeOptions& optio
     state.statistics.triangles += drawn.triangles;
   };
   count(state.terrain->draw(look, camera.position, frustum));
+  count(state.animals->draw(*state.snapshot, options, camera.position, frustum, state.terrain->surface(), state.statistics.animals));
   state.sky.draw();
   count({1, 1});
   glBindVertexArray(0);

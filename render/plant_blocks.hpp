@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "render/plant_placement.hpp"
+
+namespace biotope {
+
+/// Plants of one block, kept until the maps under it change.
+struct PlantBlock {
+  std::vector<PlantInstance> plants;
+  /// Lowest and highest foot, m.
+  float low = 0;
+  float high = 0;
+  bool stale = true;
+};
+
+/// The blocks of plants that a camera needs, built when they are first asked for and again when a map under them has changed. A block that
+/// waits for its turn keeps its old plants.
+class PlantBlocks {
+ public:
+  void set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot);
+
+  /// Builds blocks of a stratum that lie within `reach` metres of (x, y), nearest first, until `until`. Returns false when some are left.
+  bool build(Stratum stratum, double x, double y, float reach, std::chrono::steady_clock::time_point until);
+  /// Builds all of them, on all threads.
+  void build_all(Stratum stratum, double x, double y, float reach);
+
+  /// Blocks of a stratum by (row, column) that were built at least once.
+  using Map = std::map<std::pair<int, int>, PlantBlock>;
+  [[nodiscard]] const Map& blocks(Stratum stratum) const { return blocks_[std::size_t(stratum)]; }
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  [[nodiscard]] std::vector<std::pair<int, int>> missing(Stratum stratum, double x, double y, float reach) const;
+  void fill(Stratum stratum, std::pair<int, int> place, PlantBlock& block) const;
+  void mark_changed(const MapsSnapshot& before);
+  void mark(const Rect& cells);
+  void drop_far(Stratum stratum, double x, double y, float reach);
+
+  PlantPlacement placement_;
+  std::shared_ptr<const MapsSnapshot> snapshot_;
+  std::array<Map, strata> blocks_;
+};
+
+}  // namespace biotope

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "render/plant_mesh.hpp"
+
+namespace biotope {
+
+/// Random numbers of one mesh, drawn in the order in which it is built.
+class MeshRandom {
+ public:
+  explicit MeshRandom(std::uint64_t seed) : seed_(seed) {}
+  [[nodiscard]] float unit();
+  [[nodiscard]] float between(float low, float high) { return low + (high - low) * unit(); }
+  /// A direction, uniform over the sphere.
+  [[nodiscard]] glm::vec3 direction();
+
+ private:
+  std::uint64_t seed_;
+  std::uint64_t drawn_ = 0;
+};
+
+/// A card of foliage: a square that carries a leaf picture.
+struct FoliageCard {
+  glm::vec3 centre;
+  glm::vec3 facing;   ///< unit normal of the card
+  glm::vec3 upright;  ///< direction of the picture's top, need not be perpendicular
+  float width = 1;
+  float height = 1;
+  LeafPicture picture = LeafPicture::broad;
+};
+
+/// The crown that foliage belongs to: where it is dark, and which way its outside faces.
+struct CrownForm {
+  glm::vec3 centre{0};
+  glm::vec3 radii{1};
+};
+
+/// Adds stems and cards to a mesh and bakes their shading.
+class PlantMeshBuilder {
+ public:
+  PlantMeshBuilder(const CrownForm& crown, std::uint64_t seed) : random(seed), crown_(crown) {}
+
+  /// A stem of `sides` faces, open at both ends.
+  void stem(const glm::vec3& from, const glm::vec3& to, float radius_from, float radius_to, int sides);
+  void card(const FoliageCard& card);
+  /// Cards over the outside of an ellipsoid, facing outwards more or less: a lobe of a crown. `roughness` 0..1 turns them at random.
+  void lobe(const CrownForm& form, int cards, float size, LeafPicture picture, float roughness);
+  [[nodiscard]] PlantMesh take() { return std::move(mesh_); }
+
+  MeshRandom random;
+
+ private:
+  [[nodiscard]] glm::vec3 soft_normal(const glm::vec3& at, const glm::vec3& facing) const;
+  [[nodiscard]] float openness(const glm::vec3& at) const;
+  void quad(const std::array<PlantVertex, 4>& corners);
+
+  CrownForm crown_;
+  PlantMesh mesh_;
+};
+
+/// Models, by family.
+[[nodiscard]] PlantMesh broadleaf_mesh(const PlantShape& shape, PlantDetail detail, std::uint64_t seed);
+[[nodiscard]] PlantMesh pine_mesh(const PlantShape& shape, PlantDetail detail, std::uint64_t seed);
+[[nodiscard]] PlantMesh spruce_mesh(const PlantShape& shape, PlantDetail detail, std::uint64_t seed);
+[[nodiscard]] PlantMesh mountain_pine_mesh(const PlantShape& shape, PlantDetail detail, std::uint64_t seed);
+[[nodiscard]] PlantMesh juniper_mesh(const PlantShape& shape, PlantDetail detail, std::uint64_t seed);
+[[nodiscard]] PlantMesh shrub_mesh(const PlantShape& shape, PlantDetail detail, std::uint64_t seed);
+[[nodiscard]] PlantMesh tuft_mesh(const PlantShape& shape, PlantDetail detail, std::uint64_t seed);
+
+}  // namespace biotope

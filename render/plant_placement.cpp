@@ -1,0 +1,193 @@
+#include "render/plant_placement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
+#include "core/base/random.hpp"
+#include "render/landscape_renderer.hpp"
+
+namespace biotope {
+
+namespace {
+
+/// Side of the largest cells, m; a block holds a whole number of them.
+constexpr float root_side = 32;
+constexpr int deepest_level = 11;
+constexpr float trunk_clearance = 0.4F;
+/// Diameters vary by these factors; the mean of their squares is 1.
+constexpr float smallest = 0.78F;
+constexpr float largest = 1.2015F;
+/// In a full wood crowns grow into all the room there is.
+constexpr float most_crowded = 1.45F;
+constexpr float worn = 0.3F;
+constexpr float wet = 0.05F;
+constexpr float tuft_spacing = 0.4F;
+
+float cell_width(int level) { return root_side / float(1 << ((level + 1) / 2)); }
+float cell_height(int level) { return root_side / float(1 << (level / 2)); }
+
+/// Level whose cells' area is nearest to a crown's, as a ratio.
+int level_of(float crown_area) {
+  const float levels = std::log2(root_side * root_side / std::max(crown_area, 0.05F));
+  return std::clamp(int(std::lround(levels)), 0, deepest_level);
+}
+
+}  // namespace
+
+PlantPlacement::PlantPlacement(std::shared_ptr<const MapsSnapshot> snapshot) : snapshot_(std::move(snapshot)) {
+  if (!snapshot_ || !snapshot_->web || snapshot_->web->levels.empty()) return;
+  const auto& plants = snapshot_->web->levels[0];
+  for (std::size_t i = 0; i < plants.size() && i < snapshot_->cover.size(); ++i) {
+    if (!snapshot_->cover[i]) continue;
+    const PlantTraits& traits = snapshot_->web->species[std::size_t(plants[i])].plant();
+    Kind kind;
+    kind.plant = int(i);
+    kind.cover = snapshot_->cover[i].get();
+    kind.crown_radius = std::max(0.05F, 0.5F * traits.shape.crown_diameter);
+    kind.crown_area = glm::pi<float>() * kind.crown_radius * kind.crown_radius;
+    kind.height = traits.shape.height;
+    kind.level = level_of(kind.crown_area);
+    const auto stratum = std::size_t(traits.stratum);
+    kinds_[stratum].push_back(kind);
+    deepest_[stratum] = std::max(deepest_[stratum], kind.level);
+  }
+}
+
+bool PlantPlacement::grows_at(int x, int y) const {
+  const MapsSnapshot& maps = *snapshot_;
+  if (maps.hydrology && (maps.hydrology->water_depth(x, y) > wet || maps.hydrology->water(x, y) != WaterKind::dry)) return false;
+  return !maps.trails || maps.trails->wear.empty() || maps.trails->wear(x, y) <= worn;
+}
+
+PlantInstance PlantPlacement::stand(const Kind& kind, float x, float y) const {
+  PlantInstance plant;
+  plant.x = x;
+  plant.y = y;
+  plant.z = ground_height(snapshot_->terrain(), x, y);
+  plant.plant = float(kind.plant);
+  return plant;
+}
+
+std::vector<PlantInstance> PlantPlacement::block(Stratum stratum, int column, int row) const {
+  std::vector<PlantInstance> out;
+  if (!snapshot_ || kinds_[std::size_t(stratum)].empty()) return out;
+  if (stratum == Stratum::herb) {
+    out = herbs(column, row);
+  } else {
+    constexpr int roots = int(woody_block_side / root_side);
+    for (int y = 0; y < roots; ++y) {
+      for (int x = 0; x < roots; ++x) woody_cell(stratum, {0, column * roots + x, row * roots + y}, 0, out);
+    }
+  }
+  std::stable_sort(out.begin(), out.end(), [](const PlantInstance& a, const PlantInstance& b) { return a.plant < b.plant; });
+  return out;
+}
+
+float PlantPlacement::cells_wanted(Stratum stratum, int x, int y) const {
+  float wanted = 0;
+  for (const Kind& kind : kinds_[std::size_t(stratum)]) {
+    wanted += cover_fraction((*kind.cover)(x, y)) * cell_width(kind.level) * cell_height(kind.level) / kind.crown_area;
+  }
+  return wanted;
+}
+
+void PlantPlacement::woody_cell(Stratum stratum, const Cell& cell, float taken, std::vector<PlantInstance>& out) const {
+  const Terrain& terrain = snapshot_->terrain();
+  const float width = cell_width(cell.level);
+  const float height = cell_height(cell.level);
+  const auto random = [&](std::uint64_t what) {
+    return float(random_unit({snapshot_->document.seed, 0x706c616e74ULL + std::uint64_t(stratum), std::uint64_t(cell.level),
+                              std::uint64_t(cell.column), std::uint64_t(cell.row), what}));
+  };
+  const float size = smallest + (largest - smallest) * random(1);
+  const float east = 2 * random(2) - 1;
+  const float north = 2 * random(3) - 1;
+
+  /// A species that could stand in this cell: where it would, its share of such cells, and how crowded it would stand.
+  struct Candidate {
+    const Kind* kind;
+    float x;
+    float y;
+    float share;
+    float crowding;
+  };
+  std::array<Candidate, 64> candidates;
+  std::size_t count = 0;
+  float wanted = 0;
+  for (const Kind& kind : kinds_[std::size_t(stratum)]) {
+    if (kind.level != cell.level || count == candidates.size()) continue;
+    const float inset = trunk_clearance * kind.crown_radius * size * std::sqrt(most_crowded);
+    const float x = (float(cell.column) + 0.5F) * width + east * std::max(0.0F, 0.5F * width - inset);
+    const float y = (float(cell.row) + 0.5F) * height + north * std::max(0.0F, 0.5F * height - inset);
+    const int map_x = int(std::floor(x / float(terrain.cell_size)));
+    const int map_y = terrain.height.height() - 1 - int(std::floor(y / float(terrain.cell_size)));
+    if (!kind.cover->rect().contains(map_x, map_y) || (*kind.cover)(map_x, map_y) == 0 || !grows_at(map_x, map_y)) continue;
+    const float crowding = std::clamp(cells_wanted(stratum, map_x, map_y), 1.0F, most_crowded);
+    const float share = cover_fraction((*kind.cover)(map_x, map_y)) * width * height / (kind.crown_area * crowding);
+    candidates[count++] = {&kind, x, y, share, crowding};
+    wanted += share;
+  }
+  // Given that no larger cell around this one is taken, the chance is higher by as much.
+  float chance = random(4) * std::max(1 - taken, 1e-3F);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Candidate& candidate = candidates[i];
+    if (chance >= candidate.share) {
+      chance -= candidate.share;
+      continue;
+    }
+    PlantInstance plant = stand(*candidate.kind, candidate.x, candidate.y);
+    plant.scale = size * std::sqrt(candidate.crowding);
+    plant.turn = glm::two_pi<float>() * random(5);
+    plant.tint = random(6);
+    plant.rank = random(7);
+    out.push_back(plant);
+    return;
+  }
+  if (cell.level >= deepest_[std::size_t(stratum)]) return;
+  const float now_taken = std::min(1.0F, taken + wanted);
+  // Odd levels have halved the width of even ones; even levels the height of odd ones.
+  const bool halve_width = cell.level % 2 == 0;
+  for (int half = 0; half < 2; ++half) {
+    const Cell child{cell.level + 1, halve_width ? 2 * cell.column + half : cell.column, halve_width ? cell.row : 2 * cell.row + half};
+    woody_cell(stratum, child, now_taken, out);
+  }
+}
+
+std::vector<PlantInstance> PlantPlacement::herbs(int column, int row) const {
+  const Terrain& terrain = snapshot_->terrain();
+  constexpr int tufts = int(herb_block_side / tuft_spacing);
+  std::vector<PlantInstance> out;
+  for (int j = 0; j < tufts; ++j) {
+    for (int i = 0; i < tufts; ++i) {
+      const int lattice_x = column * tufts + i;
+      const int lattice_y = row * tufts + j;
+      const auto random = [&](std::uint64_t what) {
+        return float(random_unit({snapshot_->document.seed, 0x74756674ULL, std::uint64_t(lattice_x), std::uint64_t(lattice_y), what}));
+      };
+      const float x = (float(lattice_x) + random(1)) * tuft_spacing;
+      const float y = (float(lattice_y) + random(2)) * tuft_spacing;
+      const int map_x = int(std::floor(x / float(terrain.cell_size)));
+      const int map_y = terrain.height.height() - 1 - int(std::floor(y / float(terrain.cell_size)));
+      if (!terrain.height.contains(map_x, map_y) || !grows_at(map_x, map_y)) continue;
+      float chance = random(3);
+      for (const Kind& kind : kinds_[std::size_t(Stratum::herb)]) {
+        const float cover = cover_fraction((*kind.cover)(map_x, map_y));
+        if (chance >= cover) {
+          chance -= cover;
+          continue;
+        }
+        PlantInstance plant = stand(kind, x, y);
+        plant.scale = 0.65F + 0.7F * random(4);
+        plant.turn = glm::two_pi<float>() * random(5);
+        plant.tint = random(6);
+        plant.rank = random(7);
+        out.push_back(plant);
+        break;
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace biotope

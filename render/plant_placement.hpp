@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "core/pipeline/maps_snapshot.hpp"
+
+namespace biotope {
+
+/// Side of a block of plants, m. Trees and shrubs, and herbs in finer blocks because one sees them from near only.
+inline constexpr float woody_block_side = 64;
+inline constexpr float herb_block_side = 16;
+
+/// One plant. Metres from the south-west corner, z above sea level. What the instance buffers hold.
+struct PlantInstance {
+  float x = 0;
+  float y = 0;
+  float z = 0;
+  float scale = 1;   ///< of the species' mesh; crown area is scale^2 times that of its shape
+  float turn = 0;    ///< radians about the upright axis
+  float tint = 0.5;  ///< 0..1, this plant's shade of colour
+  float rank = 0;    ///< 0..1 uniform: a draw that shows a share of the plants shows those of the lowest rank
+  float plant = 0;   ///< index in level 0 of the web
+};
+
+/// Where plants stand: a function of place, seed and maps alone, so that neither the order of building nor an edit elsewhere moves a plant.
+///
+/// Trees stand on a hierarchy of cells whose area halves from level to level (32 x 32 m, 16 x 32, 16 x 16, ...). A species belongs to the
+/// level whose cells are nearest to its crown's area; a cell holds one plant of its level with the probability that makes the expected crown
+/// area equal the cover map's, or else is left to the smaller species inside of it. A trunk keeps 0.4 crown radii from its cell's border, so
+/// that no two trunks stand closer than 0.4 times the sum of their radii. Shrubs do the same under the trees; herbs are tufts on a lattice
+/// of 0.4 m, whose density is for the eye.
+class PlantPlacement {
+ public:
+  PlantPlacement() = default;
+  explicit PlantPlacement(std::shared_ptr<const MapsSnapshot> snapshot);
+
+  /// Plants of a stratum in block (column, row) counted from the south-west corner, ordered by species.
+  [[nodiscard]] std::vector<PlantInstance> block(Stratum stratum, int column, int row) const;
+  [[nodiscard]] static float block_side(Stratum stratum) { return stratum == Stratum::herb ? herb_block_side : woody_block_side; }
+  [[nodiscard]] const MapsSnapshot* snapshot() const { return snapshot_.get(); }
+
+ private:
+  struct Kind {
+    int plant = 0;
+    const CoverMap* cover = nullptr;
+    float crown_area = 1;    ///< m2
+    float crown_radius = 1;  ///< m
+    float height = 1;
+    int level = 0;
+  };
+  struct Cell {
+    int level = 0;
+    int column = 0;
+    int row = 0;
+  };
+  void woody_cell(Stratum stratum, const Cell& cell, float taken, std::vector<PlantInstance>& out) const;
+  [[nodiscard]] std::vector<PlantInstance> herbs(int column, int row) const;
+  /// Share of the ground that the cells of all plants of a stratum would take: above 1, crowns must grow into each other's room.
+  [[nodiscard]] float cells_wanted(Stratum stratum, int x, int y) const;
+  [[nodiscard]] bool grows_at(int x, int y) const;
+  [[nodiscard]] PlantInstance stand(const Kind& kind, float x, float y) const;
+
+  std::shared_ptr<const MapsSnapshot> snapshot_;
+  std::array<std::vector<Kind>, strata> kinds_;
+  std::array<int, strata> deepest_{};
+};
+
+}  // namespace biotope
