@@ -3,11 +3,13 @@
 #include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
+#include <exception>
 #include <memory>
+#include <new>
 #include <ostream>
 
 #include "app/editor.hpp"
+#include "app/headless_command.hpp"
 #include "app/info_command.hpp"
 #include "app/render_command.hpp"
 #include "app/sample_command.hpp"
@@ -34,40 +36,58 @@ void keep(const std::string& option, const Result<T>& value, Target& target) {
   target = *value;
 }
 
+/// An option whose text `parse` turns into a value; its Error is a usage error.
+template <class Target, class Parse>
+CLI::Option* add_parsed(CLI::App& command, const std::string& name, Target& target, Parse parse, const std::string& what,
+                        const std::string& type) {
+  return command
+      .add_option_function<std::string>(name, [&target, name, parse](const std::string& text) { keep(name, parse(text), target); }, what)
+      ->type_name(type);
+}
+
+/// An option that names something; empty is a usage error, since it comes from an unset variable of a script more often than not.
+CLI::Option* add_name(CLI::App& command, const std::string& name, std::string& target, const std::string& what, const std::string& type) {
+  const auto parse = [](const std::string& text) -> Result<std::string> {
+    if (text.empty()) return fail("must not be empty.");
+    return text;
+  };
+  return add_parsed(command, name, target, parse, what, type);
+}
+
+auto number_within(double lowest, double highest) {
+  return [lowest, highest](const std::string& text) { return parse_number(text, lowest, highest); };
+}
+
+auto whole_number_within(int lowest, int highest) {
+  return [lowest, highest](const std::string& text) { return parse_whole_number(text, lowest, highest); };
+}
+
 void add_import_options(CLI::App& command, DemImportOptions& import) {
-  command.add_option("--cell-size", import.cell_size, "Cell size of the input in metres; overrules its georeference")
-      ->check(CLI::PositiveNumber)
-      ->type_name("M");
-  command.add_option_function<std::string>(
-             "--raw", [&import](const std::string& text) { keep("--raw", parse_raw_layout(text), import.raw); },
-             "FILE is headerless samples: WxH:TYPE[:big][:header=BYTES], TYPE uint8, int16, uint16, int32, uint32, "
-             "float32 or float64")
-      ->type_name("LAYOUT");
-  command.add_option_function<std::string>(
-             "--crop", [&import](const std::string& text) { keep("--crop", parse_crop(text), import.crop); },
-             "Take a part of the file: X,Y,WIDTH,HEIGHT in its cells")
-      ->type_name("RECT");
-  command.add_option("--vertical-scale", import.vertical_scale, "Multiplies heights")->check(CLI::PositiveNumber);
-  command.add_option("--vertical-offset", import.vertical_offset, "Added to heights, metres");
-  command.add_option("--latitude", import.latitude, "Degrees north, where the input does not tell")
-      ->check(CLI::Range(-90.0, 90.0));
+  add_parsed(command, "--cell-size", import.cell_size, number_within(smallest_cell, largest_cell),
+             "Cell size of the input in metres; overrules its georeference", "M");
+  add_parsed(command, "--raw", import.raw, parse_raw_layout,
+             "FILE is headerless samples: WxH:TYPE[:big][:header=BYTES], TYPE uint8, int16, uint16, int32, uint32, float32 "
+             "or float64",
+             "LAYOUT");
+  add_parsed(command, "--crop", import.crop, parse_crop, "Take a part of the file: X,Y,WIDTH,HEIGHT in its cells", "RECT");
+  add_parsed(command, "--vertical-scale", import.vertical_scale, number_within(1e-6, 1e6), "Multiplies heights", "FACTOR");
+  add_parsed(command, "--vertical-offset", import.vertical_offset, number_within(-12000, 12000), "Added to heights, metres", "M");
+  add_parsed(command, "--latitude", import.latitude, number_within(-90, 90), "Degrees north; overrules the input's", "DEGREES");
 }
 
 void add_file(CLI::App& command, std::string& input) {
-  command.add_option("FILE", input, "A scene (.biotope), a DEM, or sample:NAME");
+  add_name(command, "FILE", input, "A scene (.biotope), a DEM, or sample:NAME", "");
 }
 
 void add_quiet(CLI::App& command, bool& quiet) { command.add_flag("--quiet", quiet, "No progress"); }
 
 void add_ecosystem_options(CLI::App& command, LandscapeRequest& request) {
-  command.add_option("--climate", request.climate, "Climate by name, in place of the input's")->type_name("NAME");
-  command.add_option("--species", request.species_file, "Species file, in place of the input's")->type_name("FILE");
-  command.add_option("--seed", request.seed, "Seed of everything random")->type_name("N");
-  command.add_option("--threads", request.threads, "Most threads to use; the result does not depend on it")
-      ->check(CLI::Range(1, 4096))
-      ->type_name("N");
-  command.add_option("--environment", request.environment_folder, "Folder of maps that replace computed ones")
-      ->type_name("DIR");
+  add_name(command, "--climate", request.climate, "Climate by name, in place of the input's", "NAME");
+  add_name(command, "--species", request.species_file, "Species file, in place of the input's", "FILE");
+  add_parsed(command, "--seed", request.seed, parse_seed, "Seed of everything random", "N");
+  add_parsed(command, "--threads", request.threads, whole_number_within(1, 4096),
+             "Most threads to use; the result does not depend on it", "N");
+  add_name(command, "--environment", request.environment_folder, "Folder of maps that replace computed ones", "DIR");
   add_quiet(command, request.quiet);
 }
 
@@ -75,14 +95,14 @@ void add_solve(CLI::App& program, SolveRequest& request) {
   CLI::App& command = *program.add_subcommand("solve", "Compute a landscape and write its maps and reports");
   add_file(command, request.landscape.input);
   command.get_option("FILE")->required();
-  command.add_option("--out", request.folder, "Folder to write into")->required()->type_name("DIR");
-  command.add_option("--size", request.landscape.import.longer_side, "Cells of the longer side after resampling")
-      ->check(CLI::Range(2, 16384))
-      ->type_name("N");
-  command.add_option_function<std::string>(
-             "--maps", [&request](const std::string&) { request.all_maps = true; },
-             "'all' also writes fitness and monthly environment maps")
-      ->check(CLI::IsMember({"all"}));
+  add_name(command, "--out", request.folder, "Folder to write into", "DIR")->required();
+  add_parsed(command, "--size", request.landscape.import.longer_side, whole_number_within(2, 16384),
+             "Cells of the longer side after resampling", "N");
+  const auto which_maps = [](const std::string& text) -> Result<bool> {
+    if (text != "all") return fail("'" + text + "': expected all.");
+    return true;
+  };
+  add_parsed(command, "--maps", request.all_maps, which_maps, "'all' also writes fitness and monthly environment maps", "all");
   add_import_options(command, request.landscape.import);
   add_ecosystem_options(command, request.landscape);
 }
@@ -91,17 +111,12 @@ void add_render(CLI::App& program, RenderRequest& request) {
   CLI::App& command = *program.add_subcommand("render", "Compute a landscape and draw it in 3D");
   add_file(command, request.landscape.input);
   command.get_option("FILE")->required();
-  command.add_option("--out", request.picture, "Picture to write")->required()->type_name("PNG");
-  command.add_option_function<std::string>(
-             "--size", [&request](const std::string& text) { keep("--size", parse_picture_size(text), request.size); },
-             "Pixels, 1280x720 unless told")
-      ->type_name("WxH");
-  command.add_option_function<std::string>(
-             "--camera", [&request](const std::string& text) { keep("--camera", parse_camera(text), request.camera); },
-             "x,y,z,heading,pitch: metres from the south-west corner and above the sea, degrees")
-      ->type_name("VIEW");
-  command.add_option("--hour", request.hour, "Local solar time")->check(CLI::Range(0.0, 24.0));
-  command.add_option("--month", request.month, "1 is January")->check(CLI::Range(1, 12));
+  add_name(command, "--out", request.picture, "Picture to write", "PNG")->required();
+  add_parsed(command, "--size", request.size, parse_picture_size, "Pixels, 1280x720 unless told", "WxH");
+  add_parsed(command, "--camera", request.camera, parse_camera,
+             "x,y,z,heading,pitch: metres from the south-west corner and above the sea, degrees", "VIEW");
+  add_parsed(command, "--hour", request.hour, number_within(0, 24), "Local solar time, 10.5 unless told", "H");
+  add_parsed(command, "--month", request.month, whole_number_within(1, 12), "1 is January; 6 unless told", "M");
   add_import_options(command, request.landscape.import);
   add_ecosystem_options(command, request.landscape);
 }
@@ -115,25 +130,13 @@ void add_info(CLI::App& program, LandscapeRequest& request) {
 
 void add_sample(CLI::App& program, CommandLine& line) {
   CLI::App& command = *program.add_subcommand("sample", "Save a built-in landscape as a scene");
-  command.add_option("NAME", line.sample_name, "valley, valley-1m, ...")->required();
-  command.add_option("--out", line.sample_file, "Scene to write")->required()->type_name("FILE.biotope");
+  add_name(command, "NAME", line.sample_name, "valley, valley-1m, ...", "")->required();
+  add_name(command, "--out", line.sample_file, "Scene to write", "FILE.biotope")->required();
   add_quiet(command, line.sample_quiet);
 }
 
-/// Where the editor cannot open: computes the landscape and writes maps and a picture, so that the command is never useless.
-Status run_without_display(const LandscapeRequest& request, std::ostream& out, std::ostream& err) {
-  const std::filesystem::path folder = "out";
-  err << "biotope: there is no display to open a window on; computing " << request.input << " and writing its maps and "
-      << "a picture of the 3D view into " << folder.string() << "/ instead.\n";
-  if (Status solved = run_solve({request, folder.string(), false}, out, err); !solved) return solved;
-  RenderRequest picture;
-  picture.landscape = request;
-  picture.picture = (folder / "landscape.png").string();
-  return run_render(picture, out, err);
-}
-
 Status run_editor_or_say_why(const LandscapeRequest& request, std::ostream& out, std::ostream& err) {
-  if (!display_available()) return run_without_display(request, out, err);
+  if (!display_available()) return run_without_display(request, "out", out, err);
   return run_editor({request.input, request.import});
 }
 
@@ -151,9 +154,26 @@ Status dispatch(const CLI::App& program, const CommandLine& line, std::ostream& 
   return run_editor_or_say_why(line.editor, out, err);
 }
 
-}  // namespace
+/// Options before a command's name would be the editor's; nobody means that.
+void refuse_options_before_command(const CLI::App& program) {
+  const auto commands = program.get_subcommands();
+  if (commands.empty()) return;
+  for (const CLI::Option* option : program.get_options()) {
+    if (option->count() == 0) continue;
+    const std::string what = option->get_positional() ? "'" + option->as<std::string>() + "'" : option->get_name();
+    throw CLI::ValidationError(what, "must come after '" + commands.front()->get_name() + "'.");
+  }
+}
 
-int run_command_line(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
+int usage_error(const CLI::App& program, std::string what, std::ostream& err) {
+  const auto commands = program.get_subcommands();
+  const std::string help = "biotope " + (commands.empty() ? "" : commands.front()->get_name() + " ") + "--help";
+  if (!what.empty() && what.back() != '.') what += '.';
+  err << "biotope: " << what << " Try '" << help << "'." << std::endl;
+  return exit_usage;
+}
+
+int parse_and_run(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
   CommandLine line;
   CLI::App program("Living landscapes: from a terrain to its plants, animals and trails", "biotope");
   program.set_version_flag("--version", "biotope " BIOTOPE_VERSION);
@@ -168,14 +188,27 @@ int run_command_line(const std::vector<std::string>& arguments, std::ostream& ou
   try {
     // CLI11 takes its arguments from the back.
     program.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    refuse_options_before_command(program);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return program.exit(error, out, err);
-    err << "biotope: " << error.what() << "\nTry 'biotope --help'.\n";
-    return exit_usage;
+    return usage_error(program, error.what(), err);
   }
   const Status done = dispatch(program, line, out, err);
   if (done) return exit_success;
   err << "biotope: " << done.error().message << std::endl;
+  return exit_failure;
+}
+
+}  // namespace
+
+int run_command_line(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
+  try {
+    return parse_and_run(arguments, out, err);
+  } catch (const std::bad_alloc&) {
+    err << "biotope: there is not enough memory; give a smaller --size, or take a part of the input with --crop." << std::endl;
+  } catch (const std::exception& error) {
+    err << "biotope: " << error.what() << std::endl;
+  }
   return exit_failure;
 }
 

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <vector>
 
 namespace biotope {
@@ -64,6 +65,25 @@ Result<RawLayout> parse_raw_layout(std::string_view text) {
     }
   }
   return layout;
+}
+
+Result<std::uint64_t> parse_seed(std::string_view text) {
+  if (const auto seed = number<std::uint64_t>(text)) return *seed;
+  return wrong(text, "a whole number from 0 to 18446744073709551615");
+}
+
+Result<int> parse_whole_number(std::string_view text, int lowest, int highest) {
+  const auto value = number<int>(text);
+  if (value && *value >= lowest && *value <= highest) return *value;
+  return wrong(text, "a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest));
+}
+
+Result<double> parse_number(std::string_view text, double lowest, double highest) {
+  const auto value = number<double>(text);
+  if (value && std::isfinite(*value) && *value >= lowest && *value <= highest) return *value;
+  char range[64];
+  std::snprintf(range, sizeof range, "a number from %g to %g", lowest, highest);
+  return wrong(text, range);
 }
 
 Result<Rect> parse_crop(std::string_view text) {

@@ -11,6 +11,10 @@
 
 namespace biotope {
 
+/// Side of a cell that --cell-size may give, metres (our choice: beyond these no terrain is meant).
+inline constexpr double smallest_cell = 0.001;
+inline constexpr double largest_cell = 100000;
+
 /// What every command that computes may be given. Empty members: not asked for.
 struct LandscapeRequest {
   /// A scene, a DEM or "sample:NAME".
@@ -26,6 +30,15 @@ struct LandscapeRequest {
 
 /// `WxH:TYPE[:big][:header=BYTES]`, for example `1024x1024:uint16`.
 [[nodiscard]] Result<RawLayout> parse_raw_layout(std::string_view text);
+
+/// A seed: a whole number from 0 to 18446744073709551615, in decimal.
+[[nodiscard]] Result<std::uint64_t> parse_seed(std::string_view text);
+
+/// A whole number in `lowest..highest`.
+[[nodiscard]] Result<int> parse_whole_number(std::string_view text, int lowest, int highest);
+
+/// A finite number in `lowest..highest`.
+[[nodiscard]] Result<double> parse_number(std::string_view text, double lowest, double highest);
 
 /// `X,Y,WIDTH,HEIGHT` in cells of the file.
 [[nodiscard]] Result<Rect> parse_crop(std::string_view text);

@@ -2,6 +2,9 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 #include <ostream>
 
@@ -11,28 +14,39 @@ namespace {
 /// A terminal is rewritten at most this often.
 constexpr auto refresh = std::chrono::milliseconds(60);
 
+/// The stages a person hears of: the pipeline's, and reading and writing around them. Other names are parts of the stage before.
+constexpr std::array<std::string_view, 13> stages{"reading heights", "eroding", "species", "slopes", "water",       "environment",  "plants",
+                                                  "animals",         "travel",  "trails",  "daily plans", "writing maps", "drawing"};
+
+bool same_word(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+  return std::ranges::equal(a, b, {}, lower, lower);
+}
+
 }  // namespace
 
 ProgressLine::ProgressLine(std::ostream& stream, bool terminal, bool quiet)
     : stream_(stream), terminal_(terminal), quiet_(quiet) {}
 
 void ProgressLine::clear() {
-  if (terminal_ && !quiet_ && !stage_.empty()) stream_ << "\r\033[K" << std::flush;
+  if (terminal_ && !quiet_ && shown_ != std::chrono::steady_clock::time_point{}) stream_ << "\r\033[K" << std::flush;
   stage_.clear();
+  shown_ = {};
 }
 
-void ProgressLine::show(std::string_view stage, double fraction) {
+void ProgressLine::show(std::string_view name, double fraction) {
   if (quiet_) return;
-  const bool new_stage = stage != stage_;
-  if (new_stage) stage_ = stage;
-  if (!terminal_) {
-    if (new_stage && printed_.insert(stage_).second) stream_ << "biotope: " << stage_ << std::endl;
-    return;
+  const auto stage = std::ranges::find_if(stages, [&](std::string_view known) { return same_word(known, name); });
+  if (stage != stages.end() && *stage != stage_) {
+    stage_ = *stage;
+    shown_ = {};
+    if (!terminal_ && printed_.insert(stage_).second) stream_ << "biotope: " << stage_ << std::endl;
   }
   const auto now = std::chrono::steady_clock::now();
-  if (!new_stage && now - shown_ < refresh) return;
+  if (!terminal_ || now - shown_ < refresh) return;
   shown_ = now;
   stream_ << "\r\033[K" << stage_;
+  if (stage == stages.end()) stream_ << (stage_.empty() ? "" : ": ") << name;
   if (fraction > 0) stream_ << "  " << std::lround(fraction * 100) << " %";
   stream_ << std::flush;
 }

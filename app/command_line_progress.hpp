@@ -19,7 +19,8 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  void show(std::string_view stage, double fraction);
+  /// `name` is a stage, or a part of the one shown last.
+  void show(std::string_view name, double fraction);
   void clear();
   /// A context whose progress this line shows.
   [[nodiscard]] TaskContext context(std::stop_token stop = {});

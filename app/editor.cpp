@@ -20,7 +20,7 @@ namespace {
 
 constexpr int frames_after_input = 4;  // Dear ImGui settles within a few frames
 constexpr double idle_seconds = 0.5;   // between looks at the background while nothing moves
-constexpr double busy_seconds = 0.1;    // while only progress moves; more would take the processor from the work
+constexpr double busy_seconds = 0.1;   // while only progress moves; more would take the processor from the work
 constexpr double frame_seconds = 1.0 / 60;
 
 /// GLFW for the life of the editor.
@@ -127,7 +127,9 @@ Status run_editor(const EditorOptions& options) {
   const std::filesystem::path settings_file = config_folder() / "settings.json";
   const Settings settings = load_settings(settings_file);
   const WindowPointer window = make_window(settings);
-  if (!window) return fail("The editor needs OpenGL 4.5: " + glfw_problem() + ". Update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1.");
+  if (!window)
+    return fail("The editor needs OpenGL 4.5: " + glfw_problem() +
+                ". Update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1.");
   glfwMakeContextCurrent(window.get());
   glfwSwapInterval(1);
   EditorHost host(window.get(), settings, settings_file);

@@ -123,7 +123,8 @@ void EditorHost::note_left_button(bool down) {
 }
 
 void EditorHost::note_key(int key, int modifiers, bool repeat) {
-  const Shortcut keys{key, (modifiers & GLFW_MOD_CONTROL) != 0, (modifiers & GLFW_MOD_SHIFT) != 0, (modifiers & GLFW_MOD_ALT) != 0};
+  const Shortcut keys{key, (modifiers & GLFW_MOD_CONTROL) != 0, (modifiers & GLFW_MOD_SHIFT) != 0,
+                      (modifiers & GLFW_MOD_ALT) != 0};
   state_.key_presses.push_back({keys, repeat});
 }
 

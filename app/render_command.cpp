@@ -1,5 +1,8 @@
 #include "app/render_command.hpp"
 
+#include <unistd.h>
+
+#include <filesystem>
 #include <ostream>
 
 #include "app/command_line_progress.hpp"
@@ -21,15 +24,38 @@ Result<Image> picture_of(const std::shared_ptr<const MapsSnapshot>& snapshot, co
   options.hour = request.hour;
   options.month = request.month - 1;
   options.quality = 2;
+  const Camera camera = request.camera.value_or(first_view(*snapshot));
+  (*renderer)->finish_loading(camera, options);
   const RenderTarget target(request.size.width, request.size.height);
   target.bind();
-  (*renderer)->draw(request.camera.value_or(first_view(*snapshot)), options, request.size.width, request.size.height);
+  (*renderer)->draw(camera, options, request.size.width, request.size.height);
   return target.read();
+}
+
+/// An Error when the picture could not be written, found before a long computation.
+Status check_picture(const std::filesystem::path& picture) {
+  std::error_code error;
+  const std::filesystem::path folder = picture.has_parent_path() ? picture.parent_path() : ".";
+  if (std::filesystem::is_directory(picture, error)) return fail(picture.string() + ": is a folder; give the name of a picture.");
+  if (!std::filesystem::is_directory(folder, error)) {
+    return fail(picture.string() + ": cannot be written; there is no folder " + folder.string() + ".");
+  }
+  if (::access(folder.c_str(), W_OK) != 0) {
+    return fail(picture.string() + ": cannot be written; the folder " + folder.string() + " is not writable.");
+  }
+  return {};
 }
 
 }  // namespace
 
+Status write_picture(const std::shared_ptr<const MapsSnapshot>& snapshot, const RenderRequest& request) {
+  const auto picture = picture_of(snapshot, request);
+  if (!picture) return tl::unexpected(picture.error());
+  return write_png(request.picture, *picture);
+}
+
 Status run_render(const RenderRequest& request, std::ostream& out, std::ostream& err) {
+  if (const Status writable = check_picture(request.picture); !writable) return writable;
   // Before the computation, so that a machine that cannot draw says so at once.
   const auto context = OffscreenContext::create();
   if (!context) return tl::unexpected(context.error());
@@ -42,11 +68,9 @@ Status run_render(const RenderRequest& request, std::ostream& out, std::ostream&
   const auto snapshot = solve(*document, nullptr, task);
   if (!snapshot) return tl::unexpected(snapshot.error());
   task.report("drawing", 0);
-  const auto picture = picture_of(*snapshot, request);
-  if (!picture) return tl::unexpected(picture.error());
-  if (Status written = write_png(request.picture, *picture); !written) return written;
+  if (Status written = write_picture(*snapshot, request); !written) return written;
   progress.clear();
-  if (!request.landscape.quiet) out << "Written to " << request.picture << '\n';
+  if (!request.landscape.quiet) out << "Written to " << request.picture << std::endl;
   return {};
 }
 

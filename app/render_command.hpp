@@ -1,11 +1,13 @@
 #pragma once
 
 #include <iosfwd>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "app/command_line_options.hpp"
 #include "core/base/status.hpp"
+#include "core/pipeline/maps_snapshot.hpp"
 
 namespace biotope {
 
@@ -18,6 +20,9 @@ struct RenderRequest {
   double hour = 10.5;  ///< local solar time, 0..24
   int month = 6;       ///< 1 is January
 };
+
+/// Draws a computed landscape into the request's picture; needs a current OpenGL context.
+[[nodiscard]] Status write_picture(const std::shared_ptr<const MapsSnapshot>& snapshot, const RenderRequest& request);
 
 /// Computes a landscape and draws it in 3D into a PNG; needs no display.
 [[nodiscard]] Status run_render(const RenderRequest& request, std::ostream& out, std::ostream& err);

@@ -1,6 +1,7 @@
 #include "app/solve_command.hpp"
 
 #include <chrono>
+#include <filesystem>
 #include <ostream>
 
 #include "app/command_line_progress.hpp"
@@ -21,6 +22,8 @@ Result<Document> open_requested(const LandscapeRequest& request, const TaskConte
     document->climate = std::move(*climate);
   }
   if (!request.species_file.empty()) {
+    std::error_code error;
+    if (std::filesystem::is_directory(request.species_file, error)) return fail(request.species_file + ": is a folder; give a species file.");
     auto species = load_species(request.species_file);
     if (!species) return tl::unexpected(species.error());
     document->species = std::make_shared<const std::vector<Species>>(std::move(*species));
@@ -35,23 +38,30 @@ Result<Document> open_requested(const LandscapeRequest& request, const TaskConte
   return document;
 }
 
-Status run_solve(const SolveRequest& request, std::ostream& out, std::ostream& err) {
+Result<std::shared_ptr<const MapsSnapshot>> solve_into(const SolveRequest& request, const TaskContext& context) {
   const auto start = std::chrono::steady_clock::now();
-  const StopOnSignal signals;
-  ProgressLine progress(err, standard_error_is_terminal(), request.landscape.quiet);
-  const TaskContext context = progress.context(signals.token());
-
+  if (const Status writable = check_solve_folder(request.folder); !writable) return tl::unexpected(writable.error());
   auto document = open_requested(request.landscape, context);
   if (!document) return tl::unexpected(document.error());
-  const auto snapshot = solve(*document, nullptr, context);
-  if (!snapshot) return tl::unexpected(snapshot.error());
+  auto snapshot = solve(*document, nullptr, context);
+  if (!snapshot) return snapshot;
   SolveOutputOptions options;
   options.all_maps = request.all_maps;
   options.program_version = BIOTOPE_VERSION;
   options.total_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  if (Status written = write_solve_output(request.folder, **snapshot, options, context); !written) return written;
+  if (const Status written = write_solve_output(request.folder, **snapshot, options, context); !written) {
+    return tl::unexpected(written.error());
+  }
+  return snapshot;
+}
+
+Status run_solve(const SolveRequest& request, std::ostream& out, std::ostream& err) {
+  const StopOnSignal signals;
+  ProgressLine progress(err, standard_error_is_terminal(), request.landscape.quiet);
+  const auto snapshot = solve_into(request, progress.context(signals.token()));
+  if (!snapshot) return tl::unexpected(snapshot.error());
   progress.clear();
-  if (!request.landscape.quiet) out << "Written to " << request.folder << '\n';
+  if (!request.landscape.quiet) out << "Written to " << request.folder << std::endl;
   return {};
 }
 

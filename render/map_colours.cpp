@@ -78,8 +78,7 @@ Colour to_oklab(const Colour& c) {
   const float l = std::cbrt(0.4122214708F * r + 0.5363325363F * g + 0.0514459929F * b);
   const float m = std::cbrt(0.2119034982F * r + 0.6806995451F * g + 0.1073969566F * b);
   const float s = std::cbrt(0.0883024619F * r + 0.2817188376F * g + 0.6299787005F * b);
-  return {0.2104542553F * l + 0.7936177850F * m - 0.0040720468F * s,
-          1.9779984951F * l - 2.4285922050F * m + 0.4505937099F * s,
+  return {0.2104542553F * l + 0.7936177850F * m - 0.0040720468F * s, 1.9779984951F * l - 2.4285922050F * m + 0.4505937099F * s,
           0.0259040371F * l + 0.7827717662F * m - 0.8086757660F * s};
 }
 
@@ -105,13 +104,20 @@ Colour along(std::span<const Colour> stops, float t) {
 
 std::array<float, 3> colour_of(ColourMap map, float t) {
   switch (map) {
-    case ColourMap::viridis: return along(viridis, t);
-    case ColourMap::greens: return along(greens, t);
-    case ColourMap::browns: return along(browns, t);
-    case ColourMap::blues: return along(blues, t);
-    case ColourMap::inferno: return along(inferno, t);
-    case ColourMap::diverging: return along(diverging, t);
-    case ColourMap::categorical: break;
+    case ColourMap::viridis:
+      return along(viridis, t);
+    case ColourMap::greens:
+      return along(greens, t);
+    case ColourMap::browns:
+      return along(browns, t);
+    case ColourMap::blues:
+      return along(blues, t);
+    case ColourMap::inferno:
+      return along(inferno, t);
+    case ColourMap::diverging:
+      return along(diverging, t);
+    case ColourMap::categorical:
+      break;
   }
   const int category = std::clamp(int(t * float(category_colours)), 0, category_colours - 1);
   return categorical[std::size_t(category)];

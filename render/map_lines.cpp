@@ -72,8 +72,7 @@ void add_ribbon(RibbonMesh& mesh, std::span<const RibbonPoint> points, std::arra
     const Direction after = i + 1 < points.size() ? direction(point, points[i + 1]) : Direction{};
     const Direction normal = miter(before, after);
     for (const float side : {-1.0F, 1.0F}) {
-      mesh.vertices.push_back(
-          {point.x, point.y, normal.x * side, normal.y * side, side, point.strength, point.metres, tone});
+      mesh.vertices.push_back({point.x, point.y, normal.x * side, normal.y * side, side, point.strength, point.metres, tone});
     }
     if (i == 0) continue;
     const auto corner = first + std::uint32_t(2 * (i - 1));

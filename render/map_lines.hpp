@@ -58,7 +58,6 @@ struct HerdPicture {
   std::vector<HerdMarker> markers;
   RibbonMesh tails;
 };
-[[nodiscard]] HerdPicture herds_at(const MapsSnapshot& snapshot, double hour, const std::vector<bool>& visible,
-                                   float mark_scale);
+[[nodiscard]] HerdPicture herds_at(const MapsSnapshot& snapshot, double hour, const std::vector<bool>& visible, float mark_scale);
 
 }  // namespace biotope

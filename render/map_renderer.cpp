@@ -89,7 +89,8 @@ bool same_overlay(const std::optional<MapOverlay>& a, const std::optional<MapOve
 bool same_ground(const MapOptions& a, const MapOptions& b) {
   return a.view.centre_x == b.view.centre_x && a.view.centre_y == b.view.centre_y &&
          a.view.pixels_per_cell == b.view.pixels_per_cell && same_overlay(a.overlay, b.overlay) && a.water == b.water &&
-         a.contours == b.contours && a.trails == b.trails && a.hatched == b.hatched && a.beyond == b.beyond && a.pixel_scale == b.pixel_scale && a.dark == b.dark;
+         a.contours == b.contours && a.trails == b.trails && a.hatched == b.hatched && a.beyond == b.beyond &&
+         a.pixel_scale == b.pixel_scale && a.dark == b.dark;
 }
 
 struct MapRenderer::State {
@@ -184,8 +185,9 @@ void MapRenderer::State::draw_ground(const MapOptions& options, glm::vec2 viewpo
   ground_program.set("show_beyond", int(options.beyond && beyond.texture()));
   const std::array<const char*, 7> names{"relief_map",   "height_map", "water_map", "overlay_map",
                                          "colour_table", "hatch_map",  "beyond_map"};
-  const std::array<GLuint, 7> textures{relief.relief().name(), relief.heights().name(), water.name(), overlay.texture().name(),
-                                       colours.name(),         paint.texture().name(),  beyond.texture().name()};
+  const std::array<GLuint, 7> textures{relief.relief().name(),   relief.heights().name(), water.name(),
+                                       overlay.texture().name(), colours.name(),          paint.texture().name(),
+                                       beyond.texture().name()};
   for (std::size_t unit = 0; unit < names.size(); ++unit) {
     ground_program.set(names[unit], int(unit));
     // A unit that nothing is drawn from still needs a texture.

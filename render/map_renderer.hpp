@@ -13,7 +13,7 @@ namespace biotope {
 
 /// Which part of the map fills the view.
 struct MapView {
-  double centre_x = 0;    ///< cells
+  double centre_x = 0;  ///< cells
   double centre_y = 0;
   double pixels_per_cell = 1;
 };
@@ -54,7 +54,8 @@ struct MapOptions {
 /// True when everything but the herds would be drawn alike.
 [[nodiscard]] bool same_ground(const MapOptions& a, const MapOptions& b);
 
-/// Draws the 2D map with OpenGL: hill-shaded terrain, water, overlay, contours, trails, herds. Needs a current OpenGL 4.5 core context.
+/// Draws the 2D map with OpenGL: hill-shaded terrain, water, overlay, contours, trails, herds. Needs a current OpenGL 4.5 core
+/// context.
 class MapRenderer {
  public:
   [[nodiscard]] static Result<std::unique_ptr<MapRenderer>> create();

@@ -28,8 +28,7 @@ void ReliefTexture::set_terrain(std::shared_ptr<const Terrain> terrain) {
   const Sampling smooth{GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE};
   heights_ = make_texture_2d(GL_R32F, heights.width(), heights.height(), 0, smooth);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  glTextureSubImage2D(heights_.name(), 0, 0, 0, heights.width(), heights.height(), GL_RED, GL_FLOAT,
-                      heights.cells().data());
+  glTextureSubImage2D(heights_.name(), 0, 0, 0, heights.width(), heights.height(), GL_RED, GL_FLOAT, heights.cells().data());
   glGenerateTextureMipmap(heights_.name());
   relief_ = make_texture_2d(GL_RGBA8, heights.width(), heights.height(), 0, smooth);
   const std::array<float, 4> neutral{0.62F, 0.62F, 0.54F, 0.5F};

@@ -2,6 +2,7 @@
 
 #include "tests/ui/small_landscape.hpp"
 #include "ui/background_task.hpp"
+#include "ui/map_builder.hpp"
 #include "ui/paint_session.hpp"
 
 using namespace biotope;
@@ -66,6 +67,32 @@ TEST_CASE("a second stroke on the same layer keeps the first one's picture") {
   REQUIRE(session.begin(*snapshot, document, grass));
   CHECK(session.shown() == picture);
   CHECK((*session.shown())(20, 20) > 0.9F);
+}
+
+TEST_CASE("a prepared ground is used only for its own layer and its own landscape") {
+  const auto snapshot = small_landscape();
+  Document document = snapshot->document;
+  PaintSession session;
+  CHECK_FALSE(session.prepared(*snapshot, grass));
+  session.prepare({grass, computed_source(*snapshot, grass), computed_under(*snapshot, grass)});
+  CHECK(session.prepared(*snapshot, grass));
+  CHECK_FALSE(session.prepared(*snapshot, {LayerKind::animal_density, "deer"}));
+  const auto other = small_landscape();
+  CHECK_FALSE(session.prepared(*other, grass));
+  REQUIRE(session.begin(*snapshot, document, grass));
+  CHECK((*session.shown())(3, 4) == Approx(0.5));
+}
+
+TEST_CASE("paint from before the stroke is in the picture from the start") {
+  const auto snapshot = small_landscape();
+  Document document = snapshot->document;
+  PaintLayer layer(70, 66);
+  layer.set(65, 65, {1, 1});
+  document.layers[grass] = std::make_shared<PaintLayer>(layer);
+  PaintSession session;
+  REQUIRE(session.begin(*snapshot, document, grass));
+  CHECK((*session.shown())(65, 65) == 1);
+  CHECK((*session.shown())(64, 65) == 0);
 }
 
 TEST_CASE("a map that is not computed yet cannot be painted") {

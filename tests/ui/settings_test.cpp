@@ -47,7 +47,8 @@ TEST_CASE("settings survive a restart") {
 TEST_CASE("a damaged settings file gives defaults, and odd values are put right") {
   CHECK(settings_from_json("{ not json").dark);
   CHECK(settings_from_json("[1, 2]").window_width == 1280);
-  const Settings odd = settings_from_json(R"({"scale": 900, "window": {"width": -5}, "brush": {"radius": "big", "strength": 7}, "recent": [1, "a"]})");
+  const Settings odd = settings_from_json(
+      R"({"scale": 900, "window": {"width": -5}, "brush": {"radius": "big", "strength": 7}, "recent": [1, "a"]})");
   CHECK(odd.scale == 4);
   CHECK(odd.window_width == 640);
   CHECK(odd.brush.radius == Settings().brush.radius);

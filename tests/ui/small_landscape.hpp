@@ -6,7 +6,8 @@
 
 namespace biotope {
 
-/// A landscape of 70 x 66 cells made by hand: a plane that rises to the east, one grass, one deer in two regions split by column 40.
+/// A landscape of 70 x 66 cells made by hand: a plane that rises to the east, one grass, one deer in two regions split by
+/// column 40.
 inline std::shared_ptr<MapsSnapshot> small_landscape() {
   constexpr int width = 70;
   constexpr int height = 66;

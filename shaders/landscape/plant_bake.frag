@@ -1,0 +1,17 @@
+#version 450 core
+layout(binding = 8) uniform sampler2DArray leaves;
+uniform vec3 leaf_colour;
+uniform vec3 wood_colour;
+uniform vec3 flower_colour;
+in vec3 card;
+in vec4 facing;
+layout(location = 0) out vec4 colour;
+layout(location = 1) out vec4 surface;
+
+void main() {
+  vec4 leaf = texture(leaves, card);
+  if (leaf.a < 0.4) discard;
+  vec3 base = mix(mix(leaf_colour, flower_colour, leaf.g), wood_colour, leaf.b);
+  colour = vec4(sqrt(clamp(base * (2.0 * leaf.r / max(leaf.a, 0.2)), 0.0, 1.0)), 1.0);
+  surface = vec4(normalize(facing.xyz) * 0.5 + 0.5, facing.w);
+}

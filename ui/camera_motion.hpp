@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+
+#include "core/terrain/terrain.hpp"
+#include "render/camera.hpp"
+#include "ui/view_transform.hpp"
+
+namespace biotope {
+
+/// Direction of the ray through a pixel of a canvas.
+[[nodiscard]] glm::vec3 ray_through(const Camera& camera, PixelPoint canvas, PixelPoint pixel);
+/// Turned in place by degrees; pitch is kept within what is not upside down.
+[[nodiscard]] Camera turned(const Camera& camera, float right, float up);
+/// Carried around a point by degrees, looking at it as before.
+[[nodiscard]] Camera orbited(const Camera& camera, const glm::dvec3& around, float right, float up);
+/// Moved by metres along its own axes.
+[[nodiscard]] Camera moved(const Camera& camera, double right, double forward, double up);
+/// Never below `clearance` metres over the ground, nor lost far outside the landscape.
+[[nodiscard]] Camera kept_over_ground(const Camera& camera, const Terrain& terrain, double clearance = 1.5);
+
+/// Cell coordinates of a place in metres, and back.
+[[nodiscard]] PathPoint cell_of(const Terrain& terrain, const glm::dvec3& place);
+
+}  // namespace biotope

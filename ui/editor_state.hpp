@@ -1,0 +1,210 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/document/brush.hpp"
+#include "core/document/document.hpp"
+#include "core/document/history.hpp"
+#include "core/ecosystem/explanation.hpp"
+#include "core/pipeline/worker.hpp"
+#include "render/camera.hpp"
+#include "render/map_renderer.hpp"
+#include "ui/background_task.hpp"
+#include "ui/file_listing.hpp"
+#include "ui/map_cache.hpp"
+#include "ui/map_catalogue.hpp"
+#include "ui/paint_session.hpp"
+#include "ui/settings.hpp"
+#include "ui/shortcut.hpp"
+#include "ui/species_figures.hpp"
+
+namespace biotope {
+
+enum class Tool : std::uint8_t { select, add, erase, smooth, restore };
+enum class ViewMode : std::uint8_t { map, landscape, split };
+
+/// The day that herds and light follow.
+struct EditorClock {
+  double hour = 10.5;
+  bool playing = false;
+  /// Hours of the landscape a second.
+  double speed = 0.25;
+  int month = 5;  ///< 0 is January
+};
+
+/// What a person looks at.
+struct EditorView {
+  Tab tab = Tab::plants;
+  ViewMode mode = ViewMode::split;
+  /// Part of the canvas that the map has in split view.
+  float split = 0.5F;
+  MapView map;
+  /// False until the map has been fitted to the canvas.
+  bool framed = false;
+  Camera camera;
+  bool camera_placed = false;
+  /// True until somebody moves the camera: it then goes to the best first place once the landscape is known.
+  bool camera_untouched = true;
+  /// The map shown under each tab.
+  std::array<MapId, tab_count> shown{};
+  /// Monthly maps show the clock's month instead of the yearly mean.
+  bool by_month = false;
+  bool water = true;
+  bool contours = true;
+  bool trails = true;
+  bool herds = true;
+  bool plants = true;
+  bool hatch = true;
+  float opacity = 0.85F;
+  std::vector<bool> visible_species;
+};
+
+/// A cell somebody asked about.
+struct CellQuestion {
+  int x = 0;
+  int y = 0;
+  int species = -1;
+  std::optional<Explanation> answer;
+  /// The snapshot the answer is about.
+  std::uint64_t revision = 0;
+};
+
+/// Where the pointer went with the left button held since it was last drawn, window pixels: a stroke follows every point of it,
+/// however slowly the window draws.
+struct PointerPath {
+  std::vector<std::array<float, 2>> points;
+  bool held = false;
+};
+
+/// A key that went down or repeated since the last frame. A queue, because a quick tap may be over before a slow frame looks.
+struct KeyPress {
+  Shortcut keys;
+  bool repeat = false;
+};
+
+/// What lies under the pointer, for the status bar.
+struct PointerReadout {
+  bool over_map = false;
+  float x = 0;  ///< cells
+  float y = 0;
+};
+
+/// A message somebody must see.
+struct EditorMessage {
+  std::string title;
+  std::string text;
+};
+
+/// Windows over the editor that are open.
+struct OpenDialogs {
+  bool palette = false;
+  bool shortcuts = false;
+  bool about = false;
+  bool samples = false;
+  bool settings = false;
+  bool open_file = false;
+  bool save_file = false;
+  bool import_file = false;
+  bool unsaved = false;
+  bool recovery = false;
+  bool first_steps = false;
+};
+
+/// What the terrain panel says about water.
+struct WaterFigures {
+  double lake_area = 0;  ///< m2
+  double sea_area = 0;
+  float discharge = 0;  ///< greatest mean of the year, m3/s
+};
+
+/// Everything the editor knows that is not on the graphics card. Changed only by the functions of editor_actions.hpp and by
+/// panels.
+struct EditorState {
+  Document document;
+  bool has_document = false;
+  /// Lowest and highest ground, and the share of cells that were filled in; of the open document.
+  std::array<float, 2> height_range{};
+  double void_share = 0;
+  WaterFigures water;
+  std::shared_ptr<const Hydrology> water_of;
+  History history;
+  /// Counts changes of the document; `saved_edits` is its value at the last save.
+  std::uint64_t edits = 0;
+  std::uint64_t saved_edits = 0;
+  std::filesystem::path scene_file;
+
+  std::unique_ptr<Worker> worker;
+  std::uint64_t posted_revision = 0;
+  bool must_post = false;
+  /// Newest snapshot for maps, and the one herds, trails and plants are shown from (complete where there is one).
+  std::shared_ptr<const MapsSnapshot> newest;
+  std::shared_ptr<const MapsSnapshot> shown;
+
+  MapCache maps;
+  BackgroundTask<Document> loading;
+  BackgroundTask<bool> saving;
+  PaintSession painting;
+  BackgroundTask<PaintGround> preparing;
+
+  /// Figures of the species list and the snapshot they are of.
+  struct SpeciesCount {
+    std::vector<SpeciesFigures> figures;
+    ShortageMaps shortages;
+  };
+  BackgroundTask<SpeciesCount> counting;
+  std::vector<SpeciesFigures> figures;
+  ShortageMaps shortages;
+  std::shared_ptr<const MapsSnapshot> figures_of;
+
+  /// Share of animals awake by half hour, of the plans they were made from.
+  std::vector<float> activity;
+  std::shared_ptr<const std::vector<DailyPlan>> activity_of;
+
+  EditorView view;
+  EditorClock clock;
+  Tool tool = Tool::select;
+  Brush brush;
+  /// Selected species' number in the web; -1: none.
+  int selected_species = -1;
+  std::optional<CellQuestion> question;
+  /// A value being dragged in a panel that becomes one step of the history when it is let go.
+  std::optional<float> dragged_value;
+  PointerReadout pointer;
+  PointerPath path;
+  std::vector<KeyPress> key_presses;
+
+  Settings settings;
+  std::filesystem::path settings_file;
+  std::vector<Climate> climates;
+  OpenDialogs dialogs;
+  std::vector<EditorMessage> messages;
+  std::string notice;  ///< a short confirmation in the status bar
+  double notice_until = 0;
+  /// What waits for the answer to 'unsaved work?'.
+  std::function<void(EditorState&)> after_unsaved;
+  FileBrowser browser;
+  std::filesystem::path import_path;
+  std::string palette_text;
+  int palette_choice = 0;
+  std::filesystem::path recovery_file;
+
+  bool wants_close = false;
+  bool wants_screenshot = false;
+  bool wants_full_screen = false;
+  bool theme_changed = true;
+  float frame_seconds = 0;
+
+  [[nodiscard]] bool dirty() const { return has_document && edits != saved_edits; }
+  [[nodiscard]] const FoodWeb* web() const {
+    return shown && shown->web ? shown->web.get() : newest ? newest->web.get() : nullptr;
+  }
+};
+
+}  // namespace biotope

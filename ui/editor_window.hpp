@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+
+#include "ui/import_dialog.hpp"
+#include "ui/landscape_canvas.hpp"
+#include "ui/map_canvas.hpp"
+#include "ui/widgets.hpp"
+
+namespace biotope {
+
+/// The whole editor inside one Dear ImGui frame: menus, tools, tabs, views, inspector, clock and status.
+class EditorWindow {
+ public:
+  /// Needs a current OpenGL 4.5 context.
+  [[nodiscard]] static Result<std::unique_ptr<EditorWindow>> create();
+
+  /// Between ImGui::NewFrame and ImGui::Render.
+  void draw(const UiContext& ui);
+  /// True while the pictures are not yet what they will be.
+  [[nodiscard]] bool refining() const { return landscape_->refining() || import_.busy(); }
+
+ private:
+  EditorWindow(std::unique_ptr<MapCanvas> map, std::unique_ptr<LandscapeCanvas> landscape)
+      : map_(std::move(map)), landscape_(std::move(landscape)) {}
+  void draw_views(const UiContext& ui, ImVec2 size);
+
+  std::unique_ptr<MapCanvas> map_;
+  std::unique_ptr<LandscapeCanvas> landscape_;
+  ImportDialog import_;
+  float inspector_width_ = 320;  ///< at scale 1
+};
+
+}  // namespace biotope

@@ -1,0 +1,73 @@
+#include <algorithm>
+
+#include "ui/editor_actions.hpp"
+#include "ui/panels/panels.hpp"
+#include "ui/parts.hpp"
+
+namespace biotope {
+namespace {
+
+void draw_tab_panel(const UiContext& ui) {
+  if (!ui.state.has_document) {
+    heading(ui.theme, ui.state.loading.running() ? "Opening ..." : "Nothing is open");
+    hint(ui.theme, ui.state.loading.running()
+                       ? ui.state.loading.stage()
+                       : "Drop a terrain or a scene here, or press " + ui.commands.keys("file.open") + " to open one.");
+    return;
+  }
+  switch (ui.state.view.tab) {
+    case Tab::terrain:
+      draw_terrain_panel(ui);
+      break;
+    case Tab::climate:
+      draw_climate_panel(ui);
+      break;
+    case Tab::plants:
+      draw_plants_panel(ui);
+      break;
+    case Tab::animals:
+      draw_animals_panel(ui);
+      break;
+    case Tab::trails:
+      draw_trails_panel(ui);
+      break;
+    case Tab::project:
+      draw_project_panel(ui);
+      break;
+  }
+}
+
+}  // namespace
+
+void draw_inspector(const UiContext& ui) {
+  const EditorState& state = ui.state;
+  const bool brush = state.has_document && state.tool != Tool::select;
+  const bool why = state.has_document && state.question.has_value();
+  const float available = ImGui::GetContentRegionAvail().y;
+  const float brush_height = !brush ? 0 : ui.theme.px(paint_hindrance(state).empty() ? 224 : 266);
+  const float why_height = why ? std::min(ui.theme.px(230), available * 0.42F) : 0;
+  const float list_height = std::max(available - brush_height - why_height, ui.theme.px(80));
+  ImGui::BeginChild("tab panel", ImVec2(0, list_height));
+  draw_tab_panel(ui);
+  ImGui::EndChild();
+  const auto line = [&] {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddLine(ImVec2(at.x - ui.theme.px(10), at.y),
+                                        ImVec2(at.x + ImGui::GetContentRegionAvail().x + ui.theme.px(10), at.y),
+                                        colour_u32(ui.theme.line));
+  };
+  if (why) {
+    line();
+    ImGui::BeginChild("why", ImVec2(0, why_height - ui.theme.px(6)));
+    draw_why_panel(ui);
+    ImGui::EndChild();
+  }
+  if (brush) {
+    line();
+    ImGui::BeginChild("brush", ImVec2(0, 0));
+    draw_brush_panel(ui);
+    ImGui::EndChild();
+  }
+}
+
+}  // namespace biotope

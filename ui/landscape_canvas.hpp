@@ -1,0 +1,60 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "render/landscape_renderer.hpp"
+#include "render/offscreen_context.hpp"
+#include "ui/view_transform.hpp"
+#include "ui/widgets.hpp"
+
+namespace biotope {
+
+/// The 3D view in a part of the window: orbit, fly, dolly, paint and ask. Drawn only when something changed; coarser while it
+/// moves on a slow machine, sharp again when it rests.
+class LandscapeCanvas {
+ public:
+  [[nodiscard]] static Result<std::unique_ptr<LandscapeCanvas>> create();
+
+  /// Draws into the current Dear ImGui window, `size` pixels, and handles mouse and keys over it.
+  void draw(const UiContext& ui, ImVec2 size);
+  /// True while keys fly the camera: letters are then no shortcuts.
+  [[nodiscard]] bool takes_letters() const { return takes_letters_; }
+  /// True while a sharper picture is still to come.
+  [[nodiscard]] bool refining() const { return refining_; }
+
+ private:
+  struct Picture {
+    Camera camera;
+    LandscapeOptions options;
+    std::shared_ptr<const MapsSnapshot> snapshot;
+    int width = 0;
+    int height = 0;
+  };
+  explicit LandscapeCanvas(std::unique_ptr<LandscapeRenderer> renderer);
+  void place_camera(EditorState& state) const;
+  void draw_picture(const UiContext& ui, int width, int height);
+  void handle_mouse(const UiContext& ui, PixelPoint canvas, PixelPoint pixel, bool hovered, bool active);
+  void handle_wheel(const UiContext& ui, PixelPoint canvas, PixelPoint pixel) const;
+  void handle_fly_keys(const UiContext& ui) const;
+  void handle_tool(const UiContext& ui, PixelPoint canvas, bool hovered);
+  void follow_stroke(const UiContext& ui, PixelPoint canvas);
+
+  std::unique_ptr<LandscapeRenderer> renderer_;
+  std::unique_ptr<RenderTarget> target_;
+  Picture drawn_;
+  bool has_picture_ = false;
+  bool software_ = false;  ///< drawn by the processor
+  double resolution_ = 1;  ///< share of the full resolution while moving
+  double drawn_resolution_ = 0;
+  double last_change_ = 0;  ///< time of the last change of the picture, s
+  bool refining_ = false;
+  bool takes_letters_ = false;
+  std::optional<glm::dvec3> pivot_;  ///< what an orbit turns around
+  std::optional<glm::dvec3> under_pointer_;
+  PathPoint asked_;
+  ImVec2 origin_;        ///< upper left corner on the screen
+  bool paints_ = false;  ///< the stroke in progress began here
+};
+
+}  // namespace biotope

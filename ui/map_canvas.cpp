@@ -1,0 +1,280 @@
+#include "ui/map_canvas.hpp"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/canvas_menu.hpp"
+#include "ui/editor_actions.hpp"
+#include "ui/format.hpp"
+#include "ui/icons.hpp"
+#include "ui/map_furniture.hpp"
+#include "ui/view_transform.hpp"
+
+namespace biotope {
+namespace {
+
+constexpr double most_zoomed_in = 64;  // pixels a cell
+
+bool same_options(const MapOptions& a, const MapOptions& b) {
+  const bool same_herds = a.herds == b.herds && (!a.herds || a.hour == b.hour) && a.visible_species == b.visible_species;
+  return same_herds && same_ground(a, b);
+}
+
+double least_zoom(const Terrain& terrain, PixelPoint canvas) {
+  return 0.4 * fitted(terrain.height.rect(), canvas, 0).pixels_per_cell;
+}
+
+bool space_held() { return ImGui::GetIO().KeysDown[GLFW_KEY_SPACE]; }
+
+}  // namespace
+
+Result<std::unique_ptr<MapCanvas>> MapCanvas::create() {
+  auto renderer = MapRenderer::create();
+  if (!renderer) return tl::unexpected(renderer.error());
+  return std::unique_ptr<MapCanvas>(new MapCanvas(std::move(*renderer)));
+}
+
+MapCanvas::MapCanvas(std::unique_ptr<MapRenderer> renderer)
+    : renderer_(std::move(renderer)), target_(std::make_unique<RenderTarget>(16, 16)) {}
+
+MapOptions MapCanvas::options_for(const UiContext& ui) {
+  EditorState& state = ui.state;
+  MapOptions options;
+  options.view = state.view.map;
+  options.water = state.view.water;
+  options.contours = state.view.contours;
+  options.trails = state.view.trails;
+  options.herds = state.view.herds;
+  options.hour = state.clock.hour;
+  options.visible_species = state.view.visible_species;
+  options.dark = ui.theme.dark;
+  options.pixel_scale = ui.theme.scale;
+  const FoodWeb* web = state.web();
+  const MapId id = visible_map(state);
+  const MapEntry entry = describe_map(id, web);
+  const MapId painted_map = web != nullptr && state.painting.shown() ? map_of_layer(state.painting.layer(), *web) : MapId{};
+  if (id.kind != MapKind::none && painted_map == id) {
+    values_.cells = state.painting.shown();
+    values_.high = std::max(values_.high, state.painting.greatest());
+    values_current_ = true;
+  } else {
+    auto answer = state.maps.request(state.newest, id);
+    if (!answer.values.cells && state.shown != state.newest) answer = state.maps.request(state.shown, id);
+    values_ = answer.values;
+    values_current_ = answer.current;
+  }
+  if (values_.cells && id.kind != MapKind::none) {
+    const ScaleRange range = scale_range(entry, values_.low, values_.high);
+    options.overlay = MapOverlay{values_.cells, range.low, range.high, entry.colours, state.view.opacity, entry.clear_below};
+  }
+  if (web != nullptr && state.view.hatch) {
+    if (const auto layer = layer_of_map(id, *web)) {
+      const auto found = state.document.layers.find(*layer);
+      if (found != state.document.layers.end()) options.hatched = found->second;
+      const auto shortage = state.shortages.find(id.item);
+      if (layer->kind == LayerKind::animal_density && shortage != state.shortages.end()) options.beyond = shortage->second;
+    }
+  }
+  return options;
+}
+
+void MapCanvas::draw_picture(const UiContext& ui, int width, int height) {
+  EditorState& state = ui.state;
+  Picture wanted{options_for(ui), state.shown, width, height};
+  const Rect changed = state.painting.take_changed();
+  const bool same_values = has_picture_ && wanted.options.overlay && drawn_.options.overlay &&
+                           wanted.options.overlay->cells == drawn_.options.overlay->cells;
+  if (same_values && !changed.empty()) renderer_->patch_overlay(*wanted.options.overlay->cells, changed);
+  const bool same = has_picture_ && changed.empty() && renderer_->complete() && wanted.snapshot == drawn_.snapshot &&
+                    wanted.width == drawn_.width && wanted.height == drawn_.height &&
+                    same_options(wanted.options, drawn_.options);
+  if (same) return;
+  target_->resize(width, height);
+  renderer_->set_snapshot(wanted.snapshot);
+  target_->bind();
+  renderer_->draw(wanted.options, width, height);
+  drawn_ = std::move(wanted);
+  has_picture_ = true;
+}
+
+void MapCanvas::handle_zoom(const UiContext& ui, PixelPoint canvas, PixelPoint pixel) const {
+  const float wheel = ImGui::GetIO().MouseWheel;
+  if (wheel == 0) return;
+  EditorView& view = ui.state.view;
+  const double least = least_zoom(*ui.state.document.terrain, canvas);
+  view.map = zoomed(view.map, canvas, pixel, std::pow(1.2, double(wheel)), least, most_zoomed_in);
+}
+
+void MapCanvas::follow_stroke(const UiContext& ui, PixelPoint canvas) {
+  EditorState& state = ui.state;
+  for (const auto& point : state.path.points) {
+    const PathPoint cell = cell_at(state.view.map, canvas, {point[0] - origin_.x, point[1] - origin_.y});
+    continue_stroke(state, cell.x, cell.y);
+  }
+  state.path.points.clear();
+  if (state.path.held) return;
+  end_stroke(state);
+  paints_ = false;
+}
+
+void MapCanvas::handle_tool(const UiContext& ui, PixelPoint canvas, const PathPoint& cell, bool hovered) {
+  EditorState& state = ui.state;
+  const ImGuiIO& io = ImGui::GetIO();
+  if (paints_ && state.painting.stroking()) {
+    follow_stroke(ui, canvas);
+    return;
+  }
+  if (!hovered || space_held()) return;
+  const int x = int(std::lround(cell.x));
+  const int y = int(std::lround(cell.y));
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+    if (io.KeyAlt) {
+      ask_why(state, x, y);
+    } else if (state.tool != Tool::select && !state.path.points.empty()) {
+      const auto& first = state.path.points.front();
+      const PathPoint begin = cell_at(state.view.map, canvas, {first[0] - origin_.x, first[1] - origin_.y});
+      begin_stroke(state, begin.x, begin.y);
+      paints_ = state.painting.stroking();
+      if (paints_) follow_stroke(ui, canvas);
+      return;
+    }
+  }
+  const bool clicked =
+      ImGui::IsMouseReleased(ImGuiMouseButton_Left) && io.MouseDragMaxDistanceSqr[0] < 16 * io.MouseDragThreshold;
+  if (state.tool == Tool::select && clicked && !io.KeyAlt) ask_why(state, x, y);
+  const bool right_clicked =
+      ImGui::IsMouseReleased(ImGuiMouseButton_Right) && io.MouseDragMaxDistanceSqr[1] < 16 * io.MouseDragThreshold;
+  if (right_clicked) {
+    asked_ = cell;
+    ImGui::OpenPopup("map menu");
+  }
+}
+
+void MapCanvas::handle_mouse(const UiContext& ui, PixelPoint canvas, PixelPoint pixel, bool hovered) {
+  EditorState& state = ui.state;
+  if (!state.document.terrain) return;
+  const Terrain& terrain = *state.document.terrain;
+  const bool active = ImGui::IsItemActive();
+  if (hovered) handle_zoom(ui, canvas, pixel);
+  const bool left_pans = space_held() || (state.tool == Tool::select && !ImGui::GetIO().KeyAlt);
+  const bool panning = active && (ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0) ||
+                                  (left_pans && ImGui::IsMouseDragging(ImGuiMouseButton_Left, space_held() ? 0.0F : -1.0F)));
+  if (panning) {
+    const ImVec2 moved = ImGui::GetIO().MouseDelta;
+    state.view.map = panned(state.view.map, {moved.x, moved.y});
+  }
+  state.view.map = kept_on_map(state.view.map, terrain.height.width(), terrain.height.height());
+  const PathPoint cell = cell_at(state.view.map, canvas, pixel);
+  if (hovered) state.pointer = {terrain.height.contains(int(std::lround(cell.x)), int(std::lround(cell.y))), cell.x, cell.y};
+  handle_tool(ui, canvas, cell, hovered);
+}
+
+void MapCanvas::draw_cursor(const UiContext& ui, ImVec2 origin, PixelPoint canvas, PixelPoint pixel, bool hovered) const {
+  const EditorState& state = ui.state;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (state.question) {
+    const PixelPoint at = pixel_of(state.view.map, canvas, state.question->x, state.question->y);
+    const ImVec2 place(origin.x + float(at.x), origin.y + float(at.y));
+    list.AddCircle(place, ui.theme.px(7), IM_COL32(0, 0, 0, 200), 24, ui.theme.px(4));
+    list.AddCircle(place, ui.theme.px(7), colour_u32(ui.theme.attention), 24, ui.theme.px(2));
+  }
+  if (!hovered && !state.painting.stroking()) return;
+  if (space_held() || state.tool == Tool::select) return;
+  const float radius = float(state.brush.radius * state.view.map.pixels_per_cell);
+  const ImVec2 centre(origin.x + float(pixel.x), origin.y + float(pixel.y));
+  const bool able = paint_hindrance(state).empty();
+  const ImU32 ring = able ? IM_COL32(255, 255, 255, 230) : IM_COL32(255, 180, 60, 230);
+  list.AddCircle(centre, radius, IM_COL32(0, 0, 0, 130), 72, ui.theme.px(3));
+  list.AddCircle(centre, radius, ring, 72, ui.theme.px(1.5F));
+  const float core = radius * std::clamp(state.brush.hardness, 0.0F, 0.99F);
+  if (core > ui.theme.px(6) && core < radius - ui.theme.px(3)) list.AddCircle(centre, core, IM_COL32(255, 255, 255, 80), 64, 1);
+  list.AddCircleFilled(centre, ui.theme.px(1.5F), ring);
+}
+
+void MapCanvas::draw_herd_tooltip(const UiContext& ui, PixelPoint canvas, PixelPoint pixel) const {
+  const EditorState& state = ui.state;
+  if (!state.view.herds || !state.shown || !state.shown->plans || !state.shown->graph || !state.shown->web) return;
+  const MapsSnapshot& snapshot = *state.shown;
+  double nearest = ui.theme.px(14);
+  const DailyPlan* under = nullptr;
+  HerdState its;
+  for (const DailyPlan& plan : *snapshot.plans) {
+    const auto species = std::size_t(plan.species);
+    if (species < state.view.visible_species.size() && !state.view.visible_species[species]) continue;
+    if (std::size_t(plan.level) >= snapshot.graph->levels.size()) continue;
+    const HerdState where =
+        herd_state(plan, snapshot.graph->levels[std::size_t(plan.level)], state.clock.hour, snapshot.terrain().cell_size);
+    const PixelPoint at = pixel_of(state.view.map, canvas, where.at.x, where.at.y);
+    const double away = std::hypot(at.x - pixel.x, at.y - pixel.y);
+    if (away >= nearest) continue;
+    nearest = away;
+    under = &plan;
+    its = where;
+  }
+  if (under == nullptr) return;
+  static constexpr std::array<const char*, 5> doing{"resting", "drinking", "feeding", "walking", "hunting"};
+  const Species& species = snapshot.web->species[std::size_t(under->species)];
+  ImGui::BeginTooltip();
+  ImGui::PushFont(ui.theme.bold);
+  ImGui::TextUnformatted(display_name(species).c_str());
+  ImGui::PopFont();
+  std::string line =
+      std::to_string(under->size) + (under->size == 1 ? " animal, " : " animals, ") + doing[std::size_t(its.activity)];
+  if (its.activity == HerdActivity::walking) line += " at " + format_value(its.speed * 3.6, "km/h");
+  ImGui::TextColored(ui.theme.muted, "%s", line.c_str());
+  ImGui::EndTooltip();
+}
+
+void MapCanvas::draw_context_menu(const UiContext& ui) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.theme.px(8), ui.theme.px(8)));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.theme.px(10), ui.theme.px(6)));
+  if (ImGui::BeginPopup("map menu")) {
+    draw_cell_menu(ui, int(std::lround(asked_.x)), int(std::lround(asked_.y)));
+    ImGui::EndPopup();
+  }
+  ImGui::PopStyleVar(2);
+}
+
+void MapCanvas::draw(const UiContext& ui, ImVec2 size) {
+  EditorState& state = ui.state;
+  const int width = std::max(int(size.x), 16);
+  const int height = std::max(int(size.y), 16);
+  const PixelPoint canvas{double(width), double(height)};
+  if (!state.view.framed && state.document.terrain) {
+    state.view.map = fitted(state.document.terrain->height.rect(), canvas, ui.theme.px(20));
+    state.view.framed = true;
+  }
+  draw_picture(ui, width, height);
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  origin_ = origin;
+  ImGui::InvisibleButton(
+      "map canvas", ImVec2(float(width), float(height)),
+      ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+  const bool hovered = ImGui::IsItemHovered();
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const PixelPoint pixel{mouse.x - origin.x, mouse.y - origin.y};
+  handle_mouse(ui, canvas, pixel, hovered);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 end(origin.x + float(width), origin.y + float(height));
+  list.PushClipRect(origin, end, true);
+  const auto texture = reinterpret_cast<ImTextureID>(std::uintptr_t(target_->texture()));
+  list.AddImage(texture, origin, end, ImVec2(0, 1), ImVec2(1, 0));
+  draw_cursor(ui, origin, canvas, pixel, hovered);
+  if (state.document.terrain) {
+    const MapEntry entry = describe_map(visible_map(state), state.web());
+    if (values_.cells) {
+      const ScaleRange range = scale_range(entry, values_.low, values_.high);
+      draw_legend(ui.theme, origin, size, entry, range.low, range.high, !values_current_);
+    }
+    draw_scale_bar(ui.theme, origin, size, state.document.terrain->cell_size / state.view.map.pixels_per_cell);
+    draw_north_arrow(ui.theme, origin, size, 0);
+  }
+  list.PopClipRect();
+  if (hovered && !state.painting.stroking() && !ImGui::IsMouseDown(0)) draw_herd_tooltip(ui, canvas, pixel);
+  draw_context_menu(ui);
+}
+
+}  // namespace biotope

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+
+#include "render/map_renderer.hpp"
+#include "render/offscreen_context.hpp"
+#include "ui/view_transform.hpp"
+#include "ui/widgets.hpp"
+
+namespace biotope {
+
+/// The 2D map in a part of the window: pan, zoom, paint, ask; drawn again only when something changed.
+class MapCanvas {
+ public:
+  [[nodiscard]] static Result<std::unique_ptr<MapCanvas>> create();
+
+  /// Draws into the current Dear ImGui window, `size` pixels, and handles the mouse over it.
+  void draw(const UiContext& ui, ImVec2 size);
+
+ private:
+  /// Everything the picture depends on besides the snapshot and the overlay's own pointer.
+  struct Picture {
+    MapOptions options;
+    std::shared_ptr<const MapsSnapshot> snapshot;
+    int width = 0;
+    int height = 0;
+  };
+  explicit MapCanvas(std::unique_ptr<MapRenderer> renderer);
+  void draw_picture(const UiContext& ui, int width, int height);
+  [[nodiscard]] MapOptions options_for(const UiContext& ui);
+  void handle_mouse(const UiContext& ui, PixelPoint canvas, PixelPoint pixel, bool hovered);
+  void handle_zoom(const UiContext& ui, PixelPoint canvas, PixelPoint pixel) const;
+  void handle_tool(const UiContext& ui, PixelPoint canvas, const PathPoint& cell, bool hovered);
+  void follow_stroke(const UiContext& ui, PixelPoint canvas);
+  void draw_cursor(const UiContext& ui, ImVec2 origin, PixelPoint canvas, PixelPoint pixel, bool hovered) const;
+  void draw_context_menu(const UiContext& ui);
+  void draw_herd_tooltip(const UiContext& ui, PixelPoint canvas, PixelPoint pixel) const;
+
+  std::unique_ptr<MapRenderer> renderer_;
+  std::unique_ptr<RenderTarget> target_;
+  Picture drawn_;
+  bool has_picture_ = false;
+  MapValues values_;  ///< of the map shown
+  bool values_current_ = false;
+  PathPoint asked_;      ///< cell of the context menu
+  ImVec2 origin_;        ///< upper left corner on the screen
+  bool paints_ = false;  ///< the stroke in progress began here
+};
+
+}  // namespace biotope

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "ui/map_builder.hpp"
+#include "ui/widgets.hpp"
+
+namespace biotope {
+
+/// Colour scale of a map with round values and its unit, or its classes, in the lower left corner of a canvas. `updating`: the
+/// values are of an older state.
+void draw_legend(const Theme& theme, ImVec2 origin, ImVec2 size, const MapEntry& map, float low, float high, bool updating);
+/// A bar of a round length in the lower right corner.
+void draw_scale_bar(const Theme& theme, ImVec2 origin, ImVec2 size, double metres_per_pixel);
+/// A small north arrow in the upper right corner, turned by `heading` degrees.
+void draw_north_arrow(const Theme& theme, ImVec2 origin, ImVec2 size, float heading);
+
+/// The ends of a map's colour scale: the entry's own, else those of the values, rounded outward where it helps reading.
+struct ScaleRange {
+  float low = 0;
+  float high = 1;
+};
+[[nodiscard]] ScaleRange scale_range(const MapEntry& map, float least, float greatest);
+
+}  // namespace biotope

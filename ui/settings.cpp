@@ -1,0 +1,128 @@
+#include "ui/settings.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace biotope {
+namespace {
+
+using nlohmann::json;
+
+template <class T>
+void read(const json& object, const char* key, T& value) {
+  const auto found = object.find(key);
+  if (found == object.end()) return;
+  if constexpr (std::is_same_v<T, bool>) {
+    if (found->is_boolean()) value = found->get<bool>();
+  } else if constexpr (std::is_arithmetic_v<T>) {
+    if (found->is_number()) value = found->get<T>();
+  } else {
+    if (found->is_string()) value = found->get<std::string>();
+  }
+}
+
+std::filesystem::path folder_of(const char* variable, const char* under_home) {
+  const char* set = std::getenv(variable);
+  if (set != nullptr && *set != '\0') return std::filesystem::path(set) / "biotope";
+  const char* home = std::getenv("HOME");
+  return std::filesystem::path(home != nullptr ? home : ".") / under_home / "biotope";
+}
+
+}  // namespace
+
+std::string settings_to_json(const Settings& settings) {
+  json object;
+  object["theme"] = settings.dark ? "dark" : "light";
+  object["scale"] = settings.scale;
+  object["window"] = {{"width", settings.window_width}, {"height", settings.window_height}, {"maximized", settings.maximized}};
+  object["recent"] = settings.recent;
+  object["last_folder"] = settings.last_folder;
+  object["brush"] = {
+      {"radius", settings.brush.radius}, {"strength", settings.brush.strength}, {"hardness", settings.brush.hardness}};
+  object["first_steps_closed"] = settings.first_steps_closed;
+  object["contours"] = settings.contours;
+  object["overlay_opacity"] = settings.overlay_opacity;
+  object["quality"] = settings.quality;
+  object["shortcuts"] = settings.shortcuts;
+  return object.dump(2);
+}
+
+Settings settings_from_json(std::string_view text) {
+  Settings settings;
+  const json object = json::parse(text, nullptr, false);
+  if (!object.is_object()) return settings;
+  std::string theme = "dark";
+  read(object, "theme", theme);
+  settings.dark = theme != "light";
+  read(object, "scale", settings.scale);
+  if (settings.scale != 0) settings.scale = std::clamp(settings.scale, 0.75F, 4.0F);
+  if (const auto window = object.find("window"); window != object.end() && window->is_object()) {
+    read(*window, "width", settings.window_width);
+    read(*window, "height", settings.window_height);
+    read(*window, "maximized", settings.maximized);
+  }
+  settings.window_width = std::clamp(settings.window_width, 640, 16384);
+  settings.window_height = std::clamp(settings.window_height, 480, 16384);
+  if (const auto recent = object.find("recent"); recent != object.end() && recent->is_array()) {
+    for (const json& file : *recent) {
+      if (file.is_string() && settings.recent.size() < most_recent_files) settings.recent.push_back(file.get<std::string>());
+    }
+  }
+  read(object, "last_folder", settings.last_folder);
+  if (const auto brush = object.find("brush"); brush != object.end() && brush->is_object()) {
+    read(*brush, "radius", settings.brush.radius);
+    read(*brush, "strength", settings.brush.strength);
+    read(*brush, "hardness", settings.brush.hardness);
+  }
+  settings.brush.radius = std::clamp(settings.brush.radius, 1.0F, 1000.0F);
+  settings.brush.strength = std::clamp(settings.brush.strength, 0.01F, 1.0F);
+  settings.brush.hardness = std::clamp(settings.brush.hardness, 0.0F, 1.0F);
+  read(object, "first_steps_closed", settings.first_steps_closed);
+  read(object, "contours", settings.contours);
+  read(object, "overlay_opacity", settings.overlay_opacity);
+  settings.overlay_opacity = std::clamp(settings.overlay_opacity, 0.0F, 1.0F);
+  read(object, "quality", settings.quality);
+  settings.quality = std::clamp(settings.quality, 0.25F, 2.0F);
+  if (const auto shortcuts = object.find("shortcuts"); shortcuts != object.end() && shortcuts->is_object()) {
+    for (const auto& [id, keys] : shortcuts->items()) {
+      if (keys.is_string()) settings.shortcuts[id] = keys.get<std::string>();
+    }
+  }
+  return settings;
+}
+
+std::filesystem::path config_folder() { return folder_of("XDG_CONFIG_HOME", ".config"); }
+std::filesystem::path state_folder() { return folder_of("XDG_STATE_HOME", ".local/state"); }
+
+Settings load_settings(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in) return {};
+  std::ostringstream text;
+  text << in.rdbuf();
+  return settings_from_json(text.str());
+}
+
+Status save_settings(const std::filesystem::path& file, const Settings& settings) {
+  std::error_code error;
+  std::filesystem::create_directories(file.parent_path(), error);
+  const std::filesystem::path beside = file.string() + ".new";
+  {
+    std::ofstream out(beside);
+    out << settings_to_json(settings) << '\n';
+    if (!out.flush()) return fail("The settings could not be written to " + file.string() + ": is the disk full or read-only?");
+  }
+  std::filesystem::rename(beside, file, error);
+  if (error) return fail("The settings could not be written to " + file.string() + ": " + error.message());
+  return {};
+}
+
+void remember_recent(Settings& settings, const std::string& file) {
+  std::erase(settings.recent, file);
+  settings.recent.insert(settings.recent.begin(), file);
+  if (settings.recent.size() > most_recent_files) settings.recent.resize(most_recent_files);
+}
+
+}  // namespace biotope
