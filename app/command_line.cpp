@@ -41,12 +41,14 @@ template <class Target, class Parse>
 CLI::Option* add_parsed(CLI::App& command, const std::string& name, Target& target, Parse parse, const std::string& what,
                         const std::string& type) {
   return command
-      .add_option_function<std::string>(name, [&target, name, parse](const std::string& text) { keep(name, parse(text), target); }, what)
+      .add_option_function<std::string>(
+          name, [&target, name, parse](const std::string& text) { keep(name, parse(text), target); }, what)
       ->type_name(type);
 }
 
 /// An option that names something; empty is a usage error, since it comes from an unset variable of a script more often than not.
-CLI::Option* add_name(CLI::App& command, const std::string& name, std::string& target, const std::string& what, const std::string& type) {
+CLI::Option* add_name(CLI::App& command, const std::string& name, std::string& target, const std::string& what,
+                      const std::string& type) {
   const auto parse = [](const std::string& text) -> Result<std::string> {
     if (text.empty()) return fail("must not be empty.");
     return text;

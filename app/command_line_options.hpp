@@ -50,7 +50,8 @@ struct PictureSize {
 /// `WIDTHxHEIGHT` in pixels, 16 to 16384 each.
 [[nodiscard]] Result<PictureSize> parse_picture_size(std::string_view text);
 
-/// `x,y,z,heading,pitch`: metres from the south-west corner, z above sea level, degrees clockwise from north and above the horizon.
+/// `x,y,z,heading,pitch`: metres from the south-west corner, z above sea level, degrees clockwise from north and above the
+/// horizon.
 [[nodiscard]] Result<Camera> parse_camera(std::string_view text);
 
 }  // namespace biotope

@@ -6,8 +6,8 @@
 
 namespace biotope {
 
-/// While it lives, Ctrl-C and termination ask the running computation to stop, so that it can clear away what it has begun; a second one
-/// ends the program at once. Make it before any thread that computes.
+/// While it lives, Ctrl-C and termination ask the running computation to stop, so that it can clear away what it has begun; a
+/// second one ends the program at once. Make it before any thread that computes.
 class StopOnSignal {
  public:
   StopOnSignal();

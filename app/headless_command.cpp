@@ -12,6 +12,9 @@
 namespace biotope {
 
 Status run_without_display(const LandscapeRequest& request, const std::string& folder, std::ostream& out, std::ostream& err) {
+  std::error_code error;
+  if (!request.input.starts_with("sample:") && !std::filesystem::exists(request.input, error))
+    return fail(request.input + ": no such file.");
   const StopOnSignal signals;
   ProgressLine progress(err, standard_error_is_terminal(), request.quiet);
   const TaskContext task = progress.context(signals.token());

@@ -11,9 +11,12 @@ namespace {
 
 const char* kind_name(LayerKind kind) {
   switch (kind) {
-    case LayerKind::resource: return "resource";
-    case LayerKind::plant_density: return "plant density";
-    case LayerKind::animal_density: return "animal density";
+    case LayerKind::resource:
+      return "resource";
+    case LayerKind::plant_density:
+      return "plant density";
+    case LayerKind::animal_density:
+      return "animal density";
   }
   return "";
 }
@@ -35,10 +38,16 @@ Status print_dem(const LandscapeRequest& request, std::ostream& out) {
   }
   out << "range: " << preview->lowest << " to " << preview->highest << " m\n";
   print_voids(out, preview->void_cells, preview->total_cells);
-  out << "crs: " << (preview->crs_name.empty() ? "none" : preview->crs_name) << (preview->geographic ? " (degrees)" : "")
-      << '\n';
+  out << "crs: " << (preview->crs_name.empty() ? "none" : preview->crs_name) << (preview->geographic ? " (degrees)" : "") << '\n';
   for (const std::string& note : preview->notes) out << "note: " << note << '\n';
   return {};
+}
+
+/// The name at the beginning of a WKT: its first quoted text.
+std::string crs_name(const std::string& wkt) {
+  const std::size_t from = wkt.find('"');
+  const std::size_t to = wkt.find('"', from + 1);
+  return from == std::string::npos || to == std::string::npos ? "none" : wkt.substr(from + 1, to - from - 1);
 }
 
 void print_terrain(const Terrain& terrain, std::ostream& out) {
@@ -48,8 +57,7 @@ void print_terrain(const Terrain& terrain, std::ostream& out) {
       << "cell size: " << terrain.cell_size << " m\n"
       << "range: " << *lowest << " to " << *highest << " m\n";
   print_voids(out, std::size_t(std::count(terrain.voids.cells().begin(), terrain.voids.cells().end(), 1)), cells.size());
-  out << "crs: " << (terrain.georeference.wkt.empty() ? "none" : terrain.georeference.wkt.substr(0, 60)) << '\n'
-      << "latitude: " << terrain.latitude << '\n';
+  out << "crs: " << crs_name(terrain.georeference.wkt) << '\n' << "latitude: " << terrain.latitude << '\n';
 }
 
 void print_document(const Document& document, std::ostream& out) {

@@ -9,8 +9,8 @@
 
 namespace {
 
-/// Opens what a script has closed of standard input, output and error, so that no file of ours gets their numbers and text meant for a
-/// terminal ends up in a map.
+/// Opens what a script has closed of standard input, output and error, so that no file of ours gets their numbers and text meant
+/// for a terminal ends up in a map.
 void open_standard_streams() {
   int descriptor = ::open("/dev/null", O_RDWR);
   while (descriptor >= 0 && descriptor <= STDERR_FILENO) descriptor = ::open("/dev/null", O_RDWR);

@@ -23,7 +23,8 @@ Result<Document> open_requested(const LandscapeRequest& request, const TaskConte
   }
   if (!request.species_file.empty()) {
     std::error_code error;
-    if (std::filesystem::is_directory(request.species_file, error)) return fail(request.species_file + ": is a folder; give a species file.");
+    if (std::filesystem::is_directory(request.species_file, error))
+      return fail(request.species_file + ": is a folder; give a species file.");
     auto species = load_species(request.species_file);
     if (!species) return tl::unexpected(species.error());
     document->species = std::make_shared<const std::vector<Species>>(std::move(*species));

@@ -21,8 +21,8 @@ struct SolveRequest {
 /// The document a request describes: input opened, then climate, species, seed and given maps in place of its own.
 [[nodiscard]] Result<Document> open_requested(const LandscapeRequest& request, const TaskContext& context);
 
-/// Computes a request's landscape, writes everything into its folder and hands out the maps. A folder that cannot be written is found
-/// before the computation begins.
+/// Computes a request's landscape, writes everything into its folder and hands out the maps. A folder that cannot be written is
+/// found before the computation begins.
 [[nodiscard]] Result<std::shared_ptr<const MapsSnapshot>> solve_into(const SolveRequest& request, const TaskContext& context);
 
 /// The command: computes a request's landscape and writes everything into its folder.

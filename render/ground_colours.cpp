@@ -73,12 +73,12 @@ class GroundPainter {
     CellLook cell;
     const float slope = slope_at(x, y);
     const float moisture = snapshot_.environment ? std::clamp((snapshot_.environment->map(Resource::moisture).mean(x, y) - 1) / 8, 0.0F, 1.0F) : 0.5F;
-    cell.rock = std::clamp((slope - 0.75F) / 0.55F, 0.0F, 1.0F);
+    cell.rock = std::clamp((slope - 0.62F) / 0.5F, 0.0F, 1.0F);
     glm::vec3 bare = bare_ground(x, y, slope, moisture, cell.rock);
     // A thin sward grows wherever nothing else is known or counted: the herbs of the species list are only part of it.
     const glm::vec3 green = glm::mix(palette_.dry_grass, palette_.fresh_grass, std::clamp(freshness_ * (0.35F + 0.9F * moisture), 0.0F, 1.0F));
     const glm::vec3 grass = glm::mix(green, palette_.winter_grass, winter_);
-    const float sward = (1 - cell.rock) * (tints_.empty() ? 0.85F : 0.45F);
+    const float sward = (1 - cell.rock) * (tints_.empty() ? 0.85F : 0.6F);
     cell.ground = glm::mix(bare, grass, sward);
     plants(x, y, cell);
     if (snapshot_.hydrology && snapshot_.hydrology->water_depth(x, y) > 0.05F) cell.ground = glm::mix(cell.ground, palette_.bed, 0.8F);
@@ -129,11 +129,15 @@ class GroundPainter {
         cell.canopy_cover += cover;
       }
     }
-    if (herb_cover > 0) cell.ground = glm::mix(cell.ground, herbs / herb_cover * 1.25F, std::min(herb_cover, 1.0F) * 0.8F);
-    cell.ground = glm::mix(cell.ground, palette_.forest_floor, 0.7F * std::min(tree_cover, 1.0F));
+    if (herb_cover > 0) {
+      const glm::vec3 leaves = herbs / herb_cover;
+      const auto meadow = meadow_colour({leaves.r, leaves.g, leaves.b});
+      cell.ground = glm::mix(cell.ground, glm::vec3(meadow[0], meadow[1], meadow[2]), std::min(herb_cover, 1.0F) * 0.75F * (1 - 0.85F * cell.rock));
+    }
+    cell.ground = glm::mix(cell.ground, palette_.forest_floor, 0.55F * std::min(tree_cover, 1.0F));
     if (cell.canopy_cover <= 0) return;
     // Seen from afar a canopy is darker than its leaves: half of it is shade between crowns.
-    cell.canopy = canopy / cell.canopy_cover * 0.62F;
+    cell.canopy = canopy / cell.canopy_cover * 0.45F;
     cell.canopy_cover = std::min(1.0F, canopy_leaves);
   }
 
@@ -155,6 +159,14 @@ std::array<float, 3> linear_colour(const std::array<float, 3>& srgb) {
   return {std::pow(srgb[0], 2.2F), std::pow(srgb[1], 2.2F), std::pow(srgb[2], 2.2F)};
 }
 
+std::array<float, 3> meadow_colour(const std::array<float, 3>& leaf) {
+  const float grey = 0.3F * leaf[0] + 0.55F * leaf[1] + 0.15F * leaf[2];
+  constexpr std::array<float, 3> straw{1.12F, 1.0F, 0.62F};
+  std::array<float, 3> out{};
+  for (std::size_t i = 0; i < 3; ++i) out[i] = 0.82F * (0.6F * leaf[i] + 0.4F * grey * straw[i]);
+  return out;
+}
+
 SeasonalFoliage seasonal_foliage(const PlantTraits& plant, int month) {
   const std::array<float, 3> leaf = linear_colour(plant.shape.leaf_colour);
   const std::array<float, 3> autumn = linear_colour(plant.shape.autumn_colour);
@@ -168,6 +180,10 @@ SeasonalFoliage seasonal_foliage(const PlantTraits& plant, int month) {
   const float young = month == 3 || month == 4 ? 1.12F : 1.0F;
   SeasonalFoliage out;
   for (std::size_t i = 0; i < 3; ++i) out.colour[i] = (leaf[i] + (autumn[i] - leaf[i]) * turn) * young;
+  // A crown is duller than a leaf: sky and twigs mix into it.
+  const float grey = 0.3F * out.colour[0] + 0.55F * out.colour[1] + 0.15F * out.colour[2];
+  constexpr std::array<float, 3> warm{1.1F, 1.0F, 0.8F};
+  for (std::size_t i = 0; i < 3; ++i) out.colour[i] += 0.22F * (grey * warm[i] - out.colour[i]);
   out.bare = plant.shape.evergreen || herb ? 0.0F : fallen[m];
   return out;
 }

@@ -41,6 +41,9 @@ struct SeasonalFoliage {
 };
 [[nodiscard]] SeasonalFoliage seasonal_foliage(const PlantTraits& plant, int month);
 
+/// Colour of a meadow of herbs with such leaves, linear: leaves, dry stalks and the earth between them, duller than one leaf.
+[[nodiscard]] std::array<float, 3> meadow_colour(const std::array<float, 3>& leaf);
+
 /// An sRGB colour as linear light.
 [[nodiscard]] std::array<float, 3> linear_colour(const std::array<float, 3>& srgb);
 

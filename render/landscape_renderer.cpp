@@ -5,18 +5,30 @@
 
 #include "render/animal_renderer.hpp"
 #include "render/frame.hpp"
+#include "render/plant_renderer.hpp"
 #include "render/sky_renderer.hpp"
 #include "render/terrain_renderer.hpp"
 
 namespace biotope {
 
+namespace {
+
+/// Time of a frame that may go into building plants, ms.
+constexpr double plant_milliseconds = 8;
+
+PlantLook plant_look(const LandscapeOptions& options) { return {options.month, options.visible_species, options.quality}; }
+
+}  // namespace
+
 struct LandscapeRenderer::State {
   std::shared_ptr<const MapsSnapshot> snapshot;
   std::unique_ptr<TerrainRenderer> terrain;
   std::unique_ptr<AnimalRenderer> animals;
+  std::unique_ptr<PlantRenderer> plants;
   SkyRenderer sky;
   Buffer frame_buffer = make_buffer();
   LandscapeStatistics statistics;
+  bool complete = false;
 
   FrameUniforms frame(const Camera& camera, const LandscapeOptions& options, const Daylight& light, int width, int height) const;
 };
@@ -33,6 +45,9 @@ Result<std::unique_ptr<LandscapeRenderer>> LandscapeRenderer::create() {
   auto animals = AnimalRenderer::create();
   if (!animals) return tl::unexpected(animals.error());
   state.animals = std::move(*animals);
+  auto plants = PlantRenderer::create();
+  if (!plants) return tl::unexpected(plants.error());
+  state.plants = std::move(*plants);
   auto sky = SkyRenderer::create();
   if (!sky) return tl::unexpected(sky.error());
   state.sky = std::move(*sky);
@@ -42,6 +57,7 @@ Result<std::unique_ptr<LandscapeRenderer>> LandscapeRenderer::create() {
 void LandscapeRenderer::set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot) {
   if (!snapshot || !snapshot->document.terrain || snapshot->document.terrain->height.empty()) return;
   state_->snapshot = snapshot;
+  state_->plants->set_snapshot(snapshot);
   state_->terrain->set_snapshot(std::move(snapshot));
 }
 
@@ -92,21 +108,40 @@ void LandscapeRenderer::draw(const Camera& camera, const LandscapeOptions& optio
                            options.brush->z * cell);
   }
   state.terrain->prepare(look, light.light_direction);
-  const FrameUniforms frame = state.frame(camera, options, light, width, height);
-  stream(state.frame_buffer, std::span<const FrameUniforms>(&frame, 1));
-  glBindBufferBase(GL_UNIFORM_BUFFER, frame_binding, state.frame_buffer.name());
+  FrameUniforms frame = state.frame(camera, options, light, width, height);
   const Frustum frustum(frame.view_projection);
-
   const auto count = [&](const DrawCount& drawn) {
     state.statistics.draw_calls += drawn.draw_calls;
     state.statistics.triangles += drawn.triangles;
   };
+
+  state.complete = true;
+  if (options.plants) {
+    state.complete = state.plants->prepare(plant_look(options), camera.position, frame, frustum, plant_milliseconds);
+    frame.shade_area = PlantRenderer::shade_area(camera.position);
+    look.canopy_from = state.plants->canopy_range().x;
+    look.canopy_whole = state.plants->canopy_range().y;
+  }
+  stream(state.frame_buffer, std::span<const FrameUniforms>(&frame, 1));
+  glBindBufferBase(GL_UNIFORM_BUFFER, frame_binding, state.frame_buffer.name());
+  if (options.plants) count(state.plants->draw_shade(frame.shade_area, light.light_direction));
   count(state.terrain->draw(look, camera.position, frustum));
+  if (options.plants) {
+    count(state.plants->draw());
+    state.statistics.plants = state.plants->plants_drawn();
+    state.statistics.instance_bytes = state.plants->bytes();
+  }
   count(state.animals->draw(*state.snapshot, options, camera.position, frustum, state.terrain->surface(), state.statistics.animals));
   state.sky.draw();
   count({1, 1});
   glBindVertexArray(0);
 }
+
+void LandscapeRenderer::finish_loading(const Camera& camera, const LandscapeOptions& options) {
+  if (state_->snapshot && options.plants) state_->plants->finish_loading(plant_look(options), camera.position);
+}
+
+bool LandscapeRenderer::complete() const { return state_->complete; }
 
 const LandscapeStatistics& LandscapeRenderer::statistics() const { return state_->statistics; }
 

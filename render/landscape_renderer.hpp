@@ -47,6 +47,11 @@ class LandscapeRenderer {
   void set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot);
   /// Draws into the framebuffer bound now, over width x height pixels.
   void draw(const Camera& camera, const LandscapeOptions& options, int width, int height);
+  /// Builds at once everything that draw() would build over several frames for that camera (plants): for pictures and tests. draw() itself
+  /// spends at most a few milliseconds a frame on it.
+  void finish_loading(const Camera& camera, const LandscapeOptions& options);
+  /// False while plants of the last view drawn are still being built: draw again soon.
+  [[nodiscard]] bool complete() const;
   [[nodiscard]] const LandscapeStatistics& statistics() const;
 
  private:

@@ -81,23 +81,25 @@ class LeafCanvas {
 
 constexpr Ink twig{0.8F, 0, 1};
 
-/// A cluster of leaves: those behind first and darker. `leaf_length` of the card's side.
-Grid<Rgba> cluster(int leaves, float leaf_length, float slender, std::uint64_t what) {
+/// Leaves around the ends of twigs, with gaps between the twigs so that the cluster stays ragged from afar. Those behind first and darker.
+/// `leaf_length` of the card's side.
+Grid<Rgba> cluster(int twigs, int leaves, float leaf_length, float slender, std::uint64_t what) {
   LeafCanvas canvas(what);
-  for (int i = 0; i < 5; ++i) {
-    const float turn = canvas.between(0, glm::two_pi<float>());
-    canvas.stroke({0.5F, 0.5F}, glm::vec2(0.5F) + 0.36F * glm::vec2(std::cos(turn), std::sin(turn)), 0.012F, 0.005F, twig);
+  std::vector<glm::vec2> ends;
+  for (int i = 0; i < twigs; ++i) {
+    const float turn = glm::radians(137.5F) * float(i) + canvas.between(-0.3F, 0.3F);
+    const float away = 0.36F * std::sqrt((float(i) + 0.6F) / float(twigs)) * canvas.between(0.85F, 1.1F);
+    ends.push_back(glm::vec2(0.5F) + away * glm::vec2(std::cos(turn), std::sin(turn)));
+    canvas.stroke({0.5F, 0.5F}, ends.back(), 0.012F, 0.006F, twig);
   }
   for (int i = 0; i < leaves; ++i) {
     const float back = float(i) / float(leaves);
+    const glm::vec2& end = ends[std::size_t(i) % ends.size()];
     const float turn = canvas.between(0, glm::two_pi<float>());
-    const float away = std::sqrt(canvas.unit()) * (0.47F - 0.45F * leaf_length);
-    // A ragged outline: three or four bulges around the cluster.
-    const float bulge = 0.86F + 0.14F * std::sin(turn * 3 + float(what));
-    const glm::vec2 at = glm::vec2(0.5F) + away * bulge * glm::vec2(std::cos(turn), std::sin(turn));
+    const glm::vec2 at = end + 0.105F * std::sqrt(canvas.unit()) * glm::vec2(std::cos(turn), std::sin(turn));
     const float lean = turn + canvas.between(-0.9F, 0.9F);
-    const glm::vec2 along = leaf_length * canvas.between(0.75F, 1.15F) * glm::vec2(std::cos(lean), std::sin(lean));
-    canvas.leaf(at - 0.4F * along, at + 0.6F * along, glm::length(along) * slender, {0.62F + 0.42F * back + canvas.between(-0.1F, 0.16F), 0, 0});
+    const glm::vec2 along = leaf_length * canvas.between(0.7F, 1.15F) * glm::vec2(std::cos(lean), std::sin(lean));
+    canvas.leaf(at - 0.3F * along, at + 0.7F * along, glm::length(along) * slender, {0.52F + 0.5F * back + canvas.between(-0.12F, 0.2F), 0, 0});
   }
   return canvas.take();
 }
@@ -105,11 +107,11 @@ Grid<Rgba> cluster(int leaves, float leaf_length, float slender, std::uint64_t w
 /// Tufts of long needles around twigs.
 Grid<Rgba> needle_tufts() {
   LeafCanvas canvas(3);
-  for (int tuft = 0; tuft < 17; ++tuft) {
+  for (int tuft = 0; tuft < 13; ++tuft) {
     const float turn = glm::radians(137.5F) * float(tuft);
-    const float away = 0.34F * std::sqrt((float(tuft) + 0.5F) / 17);
-    const glm::vec2 at = glm::vec2(0.5F) + away * glm::vec2(std::cos(turn), std::sin(turn));
-    const float shade = 0.66F + 0.024F * float(16 - tuft) + canvas.between(-0.06F, 0.1F);
+    const float away = 0.34F * std::sqrt((float(tuft) + 0.5F) / 13);
+    const glm::vec2 at = glm::vec2(0.5F) + 1.1F * away * glm::vec2(std::cos(turn), std::sin(turn));
+    const float shade = 0.66F + 0.03F * float(12 - tuft) + canvas.between(-0.06F, 0.1F);
     for (int needle = 0; needle < 22; ++needle) {
       const float direction = canvas.between(0, glm::two_pi<float>());
       const float length = canvas.between(0.07F, 0.135F);
@@ -191,10 +193,10 @@ Grid<Rgba> flowers() {
     canvas.stroke({foot, 0}, head, 0.011F, 0.008F, {0.85F, 0, 0});
     const glm::vec2 at = glm::mix(glm::vec2(foot, 0), head, 0.55F);
     canvas.leaf(at, at + glm::vec2(canvas.between(-0.14F, 0.14F), 0.1F), 0.018F, {0.95F, 0, 0});
-    for (int petal = 0; petal < 9; ++petal) {
+    for (int petal = 0; petal < 8; ++petal) {
       const float turn = canvas.between(0, glm::two_pi<float>());
-      const glm::vec2 off = canvas.between(0.01F, 0.06F) * glm::vec2(std::cos(turn), 0.5F * std::sin(turn));
-      canvas.dot(head + off, 0.021F, {canvas.between(0.85F, 1.15F), 1, 0});
+      const glm::vec2 off = canvas.between(0.005F, 0.04F) * glm::vec2(std::cos(turn), 0.5F * std::sin(turn));
+      canvas.dot(head + off, 0.014F, {canvas.between(0.85F, 1.15F), 1, 0});
     }
   }
   return canvas.take();
@@ -203,11 +205,19 @@ Grid<Rgba> flowers() {
 /// Bark: all covered, furrowed along the stem.
 Grid<Rgba> bark() {
   Grid<Rgba> picture(leaf_picture_side, leaf_picture_side);
+  // Smooth noise on lattices that are much longer than wide.
+  const auto furrow = [](float x, float y, std::uint64_t what) {
+    const int ix = int(std::floor(x));
+    const int iy = int(std::floor(y));
+    const auto at = [&](int cx, int cy) { return float(random_unit({what, std::uint64_t(cx), std::uint64_t(cy)})); };
+    const float fx = glm::smoothstep(0.0F, 1.0F, x - float(ix));
+    const float fy = glm::smoothstep(0.0F, 1.0F, y - float(iy));
+    return glm::mix(glm::mix(at(ix, iy), at(ix + 1, iy), fx), glm::mix(at(ix, iy + 1), at(ix + 1, iy + 1), fx), fy);
+  };
   for (int y = 0; y < leaf_picture_side; ++y) {
     for (int x = 0; x < leaf_picture_side; ++x) {
-      const double furrow = random_unit({0x6261726bULL, std::uint64_t(x / 3), std::uint64_t((y + 5 * (x / 3)) / 17)});
-      const double grain = random_unit({0x6261726cULL, std::uint64_t(x), std::uint64_t(y)});
-      picture(x, y) = {std::uint8_t(std::lround(128 * (0.78 + 0.32 * furrow + 0.12 * grain))), 0, 255, 255};
+      const float value = 0.62F + 0.5F * furrow(float(x) / 4, float(y) / 22, 0x6261726bULL) + 0.25F * furrow(float(x) / 2, float(y) / 5, 0x6261726cULL);
+      picture(x, y) = {std::uint8_t(std::lround(std::min(255.0F, 128 * value))), 0, 255, 255};
     }
   }
   return picture;
@@ -218,8 +228,8 @@ Grid<Rgba> bark() {
 std::vector<Grid<Rgba>> leaf_pictures() {
   std::vector<Grid<Rgba>> pictures(leaf_picture_count);
   pictures[std::size_t(LeafPicture::bark)] = bark();
-  pictures[std::size_t(LeafPicture::broad)] = cluster(105, 0.135F, 0.30F, 1);
-  pictures[std::size_t(LeafPicture::small)] = cluster(170, 0.092F, 0.31F, 2);
+  pictures[std::size_t(LeafPicture::broad)] = cluster(9, 78, 0.125F, 0.27F, 1);
+  pictures[std::size_t(LeafPicture::small)] = cluster(11, 120, 0.085F, 0.30F, 2);
   pictures[std::size_t(LeafPicture::needles)] = needle_tufts();
   pictures[std::size_t(LeafPicture::bough)] = bough();
   pictures[std::size_t(LeafPicture::blades)] = blades();

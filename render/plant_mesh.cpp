@@ -45,7 +45,7 @@ float PlantMeshBuilder::openness(const glm::vec3& at) const {
   const glm::vec3 local = (at - crown_.centre) / crown_.radii;
   const float outside = glm::smoothstep(0.25F, 1.05F, glm::length(local));
   const float height = glm::smoothstep(-1.1F, 0.7F, local.z);
-  return glm::clamp(0.12F + 0.52F * outside * (0.45F + 0.55F * height) + 0.36F * height, 0.0F, 1.0F);
+  return glm::clamp(0.16F + 0.50F * outside * (0.45F + 0.55F * height) + 0.36F * height, 0.0F, 1.0F);
 }
 
 void PlantMeshBuilder::stem(const glm::vec3& from, const glm::vec3& to, float radius_from, float radius_to, int sides) {

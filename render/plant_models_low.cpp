@@ -85,7 +85,8 @@ PlantMesh shrub_mesh(const PlantShape& shape, PlantDetail detail, std::uint64_t 
 PlantMesh tuft_mesh(const PlantShape& shape, PlantDetail detail, std::uint64_t seed) {
   const bool near = detail == PlantDetail::near;
   const float radius = 0.5F * shape.crown_diameter;
-  PlantMeshBuilder builder({{0, 0, 0.1F * shape.height}, {radius, radius, 0.9F * shape.height}}, seed);
+  // Its middle lies below the ground, so that a tuft is lit as the meadow around it is.
+  PlantMeshBuilder builder({{0, 0, -0.9F * shape.height}, {2 * radius, 2 * radius, 1.7F * shape.height}}, seed);
   const bool grass = shape.model == "grass";
   const bool flower = shape.model == "flower";
   const LeafPicture leaves = grass ? LeafPicture::blades : LeafPicture::rosette;

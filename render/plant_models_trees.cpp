@@ -10,19 +10,19 @@ namespace {
 /// What tells one broadleaved tree from another.
 struct BroadleafHabit {
   int lobes = 9;
-  int cards = 14;             ///< of a lobe
+  int cards = 18;             ///< of a lobe
   float lobe_size = 0.40F;    ///< of the crown's radii
-  float card_size = 0.50F;    ///< of the crown's horizontal radius
+  float card_size = 0.42F;    ///< of the crown's horizontal radius
   float point = 0;            ///< 0 round crown, 1 pointed
   float wide_at = 0.5F;       ///< height of the widest part within the crown
   LeafPicture picture = LeafPicture::broad;
-  float trunk = 0.028F;       ///< radius / height
+  float trunk = 0.022F;       ///< radius / height
 };
 
 BroadleafHabit habit_of(const PlantShape& shape) {
-  if (shape.model == "evergreen-oak") return {8, 15, 0.46F, 0.50F, 0, 0.5F, LeafPicture::small, 0.035F};
-  if (shape.model == "alder") return {8, 15, 0.44F, 0.52F, 0.75F, 0.36F, LeafPicture::broad, 0.018F};
-  if (shape.model == "birch") return {9, 12, 0.40F, 0.56F, 0.6F, 0.42F, LeafPicture::small, 0.013F};
+  if (shape.model == "evergreen-oak") return {8, 19, 0.46F, 0.42F, 0, 0.5F, LeafPicture::small, 0.035F};
+  if (shape.model == "alder") return {8, 18, 0.44F, 0.46F, 0.75F, 0.36F, LeafPicture::broad, 0.018F};
+  if (shape.model == "birch") return {9, 15, 0.40F, 0.48F, 0.6F, 0.42F, LeafPicture::small, 0.013F};
   return {};
 }
 
@@ -58,7 +58,7 @@ PlantMesh broadleaf_mesh(const PlantShape& shape, PlantDetail detail, std::uint6
     habit.lobes = 4;
     habit.cards = 7;
     habit.lobe_size = 0.56F;
-    habit.card_size = 0.85F;
+    habit.card_size = 0.80F;
   }
   for (int i = 0; i < habit.lobes; ++i) {
     const glm::vec3 place = lobe_place(i, habit.lobes, habit, builder.random);
@@ -78,7 +78,7 @@ PlantMesh pine_mesh(const PlantShape& shape, PlantDetail detail, std::uint64_t s
   const float base = shape.height * shape.trunk_fraction;
   const CrownForm crown{{0, 0, 0.55F * base + 0.45F * shape.height}, {radius, radius, 0.6F * (shape.height - base)}};
   PlantMeshBuilder builder(crown, seed);
-  const float trunk = shape.height * 0.018F;
+  const float trunk = shape.height * 0.0135F;
   const glm::vec3 bend(builder.random.between(-0.04F, 0.04F) * shape.height, builder.random.between(-0.04F, 0.04F) * shape.height,
                        0.55F * shape.height);
   const glm::vec3 top(bend.x * 1.2F, bend.y * 1.2F, 0.93F * shape.height);
@@ -96,7 +96,7 @@ PlantMesh pine_mesh(const PlantShape& shape, PlantDetail detail, std::uint64_t s
     const glm::vec3 tip = start + out * reach * 0.66F + glm::vec3(0, 0, 0.22F * reach);
     if (near) builder.stem(start, tip, trunk * 0.35F, trunk * 0.1F, 3);
     const float share = 0.44F * radius * builder.random.between(0.85F, 1.2F);
-    builder.lobe({tip, {share * 1.15F, share * 1.15F, share * 0.55F}}, near ? 11 : 5, share * (near ? 1.5F : 2.1F), LeafPicture::needles, 0.55F);
+    builder.lobe({tip, {share * 1.15F, share * 1.15F, share * 0.55F}}, near ? 12 : 5, share * (near ? 1.4F : 2.0F), LeafPicture::needles, 0.55F);
   }
   return builder.take();
 }

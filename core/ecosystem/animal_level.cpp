@@ -16,22 +16,27 @@ namespace {
 
 const AnimalTraits& traits(const FoodWeb& web, int species) { return web.species[std::size_t(species)].animal(); }
 
-/// Regions of a level below with the same obstacles, or null.
+/// Regions that are known to be those of animals with these limits, or null.
 std::shared_ptr<const ConfinementRegions> known_regions(const AnimalLevelInput& input, const Mobility& mobility) {
-  for (const auto& below : input.below) {
-    for (std::size_t i = 0; i < below->species.size(); ++i) {
-      if (same_obstacles(mobility, mobility_of(traits(input.web, below->species[i])))) return below->regions[i];
+  const auto regions_in = [&](const AnimalLevel& level) -> std::shared_ptr<const ConfinementRegions> {
+    for (std::size_t i = 0; i < level.species.size(); ++i) {
+      if (same_obstacles(mobility, level.basis.mobility[i])) return level.regions[i];
     }
+    return nullptr;
+  };
+  for (const auto& below : input.below) {
+    if (auto regions = regions_in(*below)) return regions;
   }
-  return nullptr;
+  if (!input.previous) return nullptr;
+  auto regions = regions_in(*input.previous);
+  return regions && same_blocked_cells(input.ground, input.previous->basis.ground, mobility) ? regions : nullptr;
 }
 
 /// One map of regions for every kind of obstacles, shared by the species that meet the same.
 void find_regions(const AnimalLevelInput& input, AnimalLevel& level) {
   std::vector<Mobility> kinds;
   std::vector<std::size_t> kind_of_species;
-  for (const int species : level.species) {
-    const Mobility mobility = mobility_of(traits(input.web, species));
+  for (const Mobility& mobility : level.basis.mobility) {
     const auto found =
         std::find_if(kinds.begin(), kinds.end(), [&](const Mobility& kind) { return same_obstacles(kind, mobility); });
     kind_of_species.push_back(std::size_t(found - kinds.begin()));
@@ -43,6 +48,44 @@ void find_regions(const AnimalLevelInput& input, AnimalLevel& level) {
     if (!maps[i]) maps[i] = std::make_shared<const ConfinementRegions>(confinement_regions(input.ground, kinds[i]));
   });
   for (const std::size_t kind : kind_of_species) level.regions.push_back(maps[kind]);
+}
+
+/// The partition of the level's regions and the banks in it.
+void find_partition(const AnimalLevelInput& input, AnimalLevel& level) {
+  const AnimalLevel* previous = input.previous.get();
+  if (previous != nullptr && previous->regions == level.regions) {
+    level.partition = previous->partition;
+  } else {
+    level.partition = std::make_shared<const Partition>(finest_partition(level.regions, input.ground.terrain->cell_size));
+  }
+  const auto same_water = [&](const Ground& before) {
+    return before.terrain == input.ground.terrain && before.derivatives == input.ground.derivatives &&
+           before.hydrology == input.ground.hydrology;
+  };
+  if (previous != nullptr && previous->partition == level.partition && same_water(previous->basis.ground)) {
+    level.basis.banks = previous->basis.banks;
+  } else {
+    level.basis.banks = find_banks(input.ground, *level.partition);
+  }
+}
+
+/// Nodes, and what the levels below left.
+void find_resources(const AnimalLevelInput& input, AnimalLevel& level, const TaskContext& context) {
+  const AnimalLevel* previous = input.previous.get();
+  if (previous != nullptr && previous->basis.banks == level.basis.banks && previous->partition == level.partition &&
+      previous->basis.plants == level.basis.plants && previous->basis.below == level.basis.below) {
+    level.prey = previous->prey;
+    level.available = previous->available;
+    level.graph = previous->graph;
+    return;
+  }
+  const PresentTiles tiles(input.plants);
+  const ResourceSources sources{input.web,   input.level, input.ground, *level.partition,
+                                input.plants, input.below, tiles,        *level.basis.banks};
+  const std::vector<PreySupply> prey = find_prey(sources);
+  for (const PreySupply& supply : prey) level.prey.push_back({supply.species, supply.region, supply.piece, supply.available});
+  level.available = available_supply(sources, prey);
+  level.graph = std::make_shared<const GraphLevel>(build_resource_nodes(sources, prey, context));
 }
 
 std::vector<std::vector<double>> populations(const AnimalCompetition& competition, const AnimalLevel& level) {
@@ -139,27 +182,31 @@ Result<AnimalLevel> compute_animal_level(const AnimalLevelInput& input, const Ta
   level.desired = normalised(input.desired);
 
   context.report("confinement regions", 0);
+  level.basis = {input.ground, {}, {input.plants.begin(), input.plants.end()}, {input.below.begin(), input.below.end()}, nullptr};
+  for (const int species : level.species) level.basis.mobility.push_back(mobility_of(traits(input.web, species)));
   find_regions(input, level);
   if (context.stopped()) return fail("stopped");
-  level.partition = std::make_shared<const Partition>(finest_partition(level.regions, input.ground.terrain->cell_size));
+  find_partition(input, level);
 
   context.report("resource nodes", 0);
   if (context.stopped()) return fail("stopped");
-  const ResourceSources sources{input.web, input.level, input.ground, *level.partition, input.plants, input.below};
-  const std::vector<PreySupply> prey = find_prey(sources);
-  for (const PreySupply& supply : prey) level.prey.push_back({supply.species, supply.region, supply.piece, supply.available});
-  level.available = available_supply(sources, prey);
-  level.graph = std::make_shared<const GraphLevel>(build_resource_nodes(sources, prey, context));
+  find_resources(input, level, context);
   if (context.stopped()) return fail("stopped");
 
   context.report("animal competition", 0);
   const CompetitionInput rules{input.web, level.species, *level.partition, level.regions, *level.graph, level.available};
   AnimalCompetition competition(rules);
-  const Status settled =
-      level.desired.empty() ? settle_fittest(competition, context) : settle_in_proportion(competition, level.desired, context);
-  if (!settled) return fail(settled.error().message);
+  Proportions proportions;
+  if (level.desired.empty()) {
+    if (const Status settled = settle_fittest(competition, context); !settled) return fail(settled.error().message);
+  } else {
+    const auto settled = settle_in_proportion(competition, level.desired, context);
+    if (!settled) return fail(settled.error().message);
+    proportions = *settled;
+  }
   level.computed_population = populations(competition, level);
   warn_of_absent_species(input.web, level);
+  warn_of_scarce_species(input.web, proportions.held_back_by, level);
   level.eaten = apply_paint(input, rules, competition, level);
   level.achieved = shares(level.population);
   form_herds(input, level);

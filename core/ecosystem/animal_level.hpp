@@ -23,6 +23,19 @@ struct Herd {
   int size = 0;     ///< individuals
 };
 
+struct BankStretches;
+struct AnimalLevel;
+
+/// What a level was computed from, so that the next one can take over what did not change.
+struct AnimalLevelBasis {
+  Ground ground;
+  /// Limits of each species of the level.
+  std::vector<Mobility> mobility;
+  std::vector<std::shared_ptr<const CoverMap>> plants;
+  std::vector<std::shared_ptr<const AnimalLevel>> below;
+  std::shared_ptr<const BankStretches> banks;
+};
+
 /// One animal level after competition and paint.
 struct AnimalLevel {
   int level = 1;
@@ -61,6 +74,7 @@ struct AnimalLevel {
   };
   std::vector<Shortage> shortages;
   std::vector<std::string> warnings;
+  AnimalLevelBasis basis;
 };
 
 /// Everything the competition of an animal level reads.
@@ -77,6 +91,9 @@ struct AnimalLevelInput {
   /// Paint on each species' density (individuals / km2); null where none.
   std::vector<std::shared_ptr<const PaintLayer>> paint;
   std::uint64_t seed = 1;
+  /// The level as it was computed before with the same food web (desired shares apart), or null. Regions, partition, banks and
+  /// nodes whose inputs are the same are taken over, as the same objects; the result is equal to the bit to one from scratch.
+  std::shared_ptr<const AnimalLevel> previous = {};
 };
 
 /// Regions, partition, resource nodes, competition (with or without proportions), paint, herds and what is eaten.

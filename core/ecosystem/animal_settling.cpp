@@ -32,18 +32,132 @@ std::vector<std::vector<std::size_t>> habitable(const AnimalCompetition& competi
   return result;
 }
 
-/// Squared distance to the target when `added` individuals of one species join.
-double distance_to_target(std::span<const double> individuals, std::span<const double> desired, std::size_t species,
-                          double added) {
-  double total = added;
-  for (const double count : individuals) total += count;
-  double distance = 0;
-  for (std::size_t i = 0; i < desired.size(); ++i) {
-    const double share = (individuals[i] + (i == species ? added : 0)) / total;
-    distance += (share - desired[i]) * (share - desired[i]);
+/// State of a competition with proportions.
+class ProportionedGrowth {
+ public:
+  ProportionedGrowth(AnimalCompetition& competition, std::span<const double> desired)
+      : competition_(competition), regions_(habitable(competition, desired.size())), species_(desired.size()) {
+    for (std::size_t i = 0; i < species_.size(); ++i) {
+      Member& own = species_[i];
+      own.unit = competition.herd_min(int(i));
+      if (desired[i] <= 0 || regions_[i].empty()) continue;
+      own.share = desired[i];
+      own.herds = competition.herds_at_a_time();
+    }
+    normalise();
   }
-  return distance;
-}
+
+  /// Settles herds of the species that they bring closest to the target, or learns that they have no place; false when nobody
+  /// grows any more.
+  bool grow_once() {
+    const std::size_t closest = closest_species();
+    if (closest == species_.size()) return false;
+    Member& own = species_[closest];
+    if (own.individuals + own.animals() / 2 > own.share * limit_) {
+      own.herds /= 2;
+      return true;
+    }
+    const Choice place = fittest_region(competition_, regions_[closest], own.animals());
+    if (place.found() && competition_.settle(place.settlement, own.animals())) {
+      own.individuals += own.animals();
+      total_ += own.animals();
+    } else {
+      own.herds /= 2;
+      if (own.herds == 0) drop_out(closest);
+    }
+    return true;
+  }
+
+  /// The species that set the limit counts when another could grow by half in one of its regions.
+  [[nodiscard]] Proportions result() {
+    for (std::size_t i = 0; i < species_.size(); ++i) {
+      const Member& own = species_[i];
+      if (own.dropped_out || own.individuals <= 0) continue;
+      if (fittest_region(competition_, regions_[i], std::max(own.unit, own.individuals / 2)).found()) return {scarcest_};
+    }
+    return {};
+  }
+
+ private:
+  struct Member {
+    double share = 0;  ///< target, normalised over the species that can be placed
+    double unit = 0;   ///< smallest herd
+    double individuals = 0;
+    int herds = 0;  ///< settle at a time: fewer once so many find no food or exceed the share, 0 when the species is done
+    bool dropped_out = false;
+    [[nodiscard]] double animals() const { return herds * unit; }
+  };
+
+  void normalise() {
+    double sum = 0;
+    for (const Member& own : species_) sum += own.share;
+    for (Member& own : species_) own.share = sum > 0 ? own.share / sum : 0;
+    update_limit();
+  }
+
+  /// The species has no place for another herd: where it has none at all, it asks for nothing any more.
+  void drop_out(std::size_t species) {
+    species_[species].dropped_out = true;
+    if (species_[species].individuals <= 0) species_[species].share = 0;
+    normalise();
+  }
+
+  /// Individuals of all species at which the share of one that dropped out would ask for a whole herd more than it has. Others
+  /// grow as long as a herd brings them closer to their share of it.
+  void update_limit() {
+    limit_ = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < species_.size(); ++i) {
+      const Member& own = species_[i];
+      if (!own.dropped_out || own.share <= 0) continue;
+      const double most = (own.individuals + own.unit) / own.share;
+      if (most >= limit_) continue;
+      limit_ = most;
+      scarcest_ = int(i);
+    }
+  }
+
+  /// Squared distance to the target when one more unit of a species joins.
+  [[nodiscard]] double distance_to_target(std::size_t grown) const {
+    const double added = species_[grown].animals();
+    double distance = 0;
+    for (std::size_t i = 0; i < species_.size(); ++i) {
+      const Member& own = species_[i];
+      const double difference = (own.individuals + (i == grown ? added : 0)) / (total_ + added) - own.share;
+      distance += difference * difference;
+    }
+    return distance;
+  }
+
+  /// The species to grow next: the closest to the target, on ties the fittest; species_.size() when all dropped out.
+  [[nodiscard]] std::size_t closest_species() {
+    std::size_t closest = species_.size();
+    double least = std::numeric_limits<double>::infinity();
+    double fitness_of_closest = -1;
+    for (std::size_t i = 0; i < species_.size(); ++i) {
+      if (species_[i].herds == 0) continue;
+      const double distance = distance_to_target(i);
+      if (distance > least) continue;
+      double fitness = -1;
+      if (distance == least) {
+        fitness = fittest_region(competition_, regions_[i], species_[i].animals()).fitness;
+        if (fitness_of_closest < 0)
+          fitness_of_closest = fittest_region(competition_, regions_[closest], species_[closest].animals()).fitness;
+        if (fitness <= fitness_of_closest) continue;
+      }
+      closest = i;
+      least = distance;
+      fitness_of_closest = fitness;
+    }
+    return closest;
+  }
+
+  AnimalCompetition& competition_;
+  std::vector<std::vector<std::size_t>> regions_;
+  std::vector<Member> species_;
+  double total_ = 0;
+  double limit_ = std::numeric_limits<double>::infinity();
+  int scarcest_ = -1;  ///< the species that sets the limit
+};
 
 }  // namespace
 
@@ -68,40 +182,13 @@ Status settle_fittest(AnimalCompetition& competition, const TaskContext& context
   return {};
 }
 
-Status settle_in_proportion(AnimalCompetition& competition, std::span<const double> desired, const TaskContext& context) {
-  const auto regions = habitable(competition, desired.size());
-  std::vector<double> individuals(desired.size());
-  /// Herds of each species at a time: fewer once so many no longer find food, 0 when the species dropped out.
-  std::vector<int> herds(desired.size());
-  for (std::size_t i = 0; i < desired.size(); ++i)
-    herds[i] = desired[i] > 0 && !regions[i].empty() ? competition.herds_at_a_time() : 0;
-  for (;;) {
+Result<Proportions> settle_in_proportion(AnimalCompetition& competition, std::span<const double> desired,
+                                         const TaskContext& context) {
+  ProportionedGrowth growth(competition, desired);
+  while (growth.grow_once()) {
     if (context.stopped()) return fail("stopped");
-    std::size_t closest = desired.size();
-    double least = std::numeric_limits<double>::infinity();
-    double fitness_of_closest = -1;
-    const auto animals = [&](std::size_t i) { return double(herds[i]) * competition.herd_min(int(i)); };
-    for (std::size_t i = 0; i < desired.size(); ++i) {
-      if (herds[i] == 0) continue;
-      const double distance = distance_to_target(individuals, desired, i, animals(i));
-      if (distance > least) continue;
-      const double fitness = distance == least ? fittest_region(competition, regions[i], animals(i)).fitness : -1;
-      if (distance == least && closest < desired.size() && fitness_of_closest < 0) {
-        fitness_of_closest = fittest_region(competition, regions[closest], animals(closest)).fitness;
-      }
-      if (distance == least && fitness <= fitness_of_closest) continue;
-      closest = i;
-      least = distance;
-      fitness_of_closest = fitness;
-    }
-    if (closest == desired.size()) return {};
-    const Choice place = fittest_region(competition, regions[closest], animals(closest));
-    if (place.found() && competition.settle(place.settlement, animals(closest))) {
-      individuals[closest] += animals(closest);
-    } else {
-      herds[closest] /= 2;
-    }
   }
+  return growth.result();
 }
 
 }  // namespace biotope

@@ -50,6 +50,14 @@ void warn_of_uninhabitable_paint(const FoodWeb& web, int species, const PaintedP
                            near(paint.uninhabitable_x, paint.uninhabitable_y));
 }
 
+void warn_of_scarce_species(const FoodWeb& web, int species_index, AnimalLevel& level) {
+  if (species_index < 0) return;
+  const auto& regions = level.computed_population[std::size_t(species_index)];
+  level.warnings.push_back(display_name(web, level.species[std::size_t(species_index)]) + ": finds no place for more than " +
+                           number_text(std::accumulate(regions.begin(), regions.end(), 0.0)) +
+                           "; to keep to its share the others stay fewer than the land could feed");
+}
+
 void warn_of_absent_species(const FoodWeb& web, AnimalLevel& level) {
   for (std::size_t i = 0; i < level.species.size(); ++i) {
     const auto& regions = level.computed_population[i];

@@ -30,31 +30,46 @@ struct RunTable {
   }
 };
 
+/// The first cell from `x` on that does not hold `value`.
+template <class Value>
+[[nodiscard]] std::size_t end_of_run(std::span<const Value> values, std::size_t x, Value value) {
+  constexpr std::size_t block = 32 / sizeof(Value);
+  while (x + block <= values.size()) {
+    Value difference = 0;
+    for (std::size_t i = 0; i < block; ++i) difference = Value(difference | (values[x + i] ^ value));
+    if (difference != 0) break;
+    x += block;
+  }
+  while (x < values.size() && values[x] == value) ++x;
+  return x;
+}
+
 /// Appends the runs of one row of values.
-inline void append_runs(std::span<const std::int64_t> values, std::vector<CellRun>& out) {
-  const int width = int(values.size());
-  for (int x = 0; x < width;) {
-    const std::int64_t value = values[std::size_t(x)];
-    const int first = x;
-    while (x < width && values[std::size_t(x)] == value) ++x;
-    if (value >= 0) out.push_back({first, x, value});
+template <class Value>
+void append_runs(std::span<const Value> values, std::vector<CellRun>& out) {
+  for (std::size_t x = 0; x < values.size();) {
+    const Value value = values[x];
+    const std::size_t first = x;
+    x = end_of_run(values, x, value);
+    if (value >= 0) out.push_back({int(first), int(x), std::int64_t(value)});
   }
 }
 
-/// Runs of a map given row by row: `fill_row(y, values)` writes the value of every cell of row y. Rows are asked in parallel.
-template <class FillRow>
+/// Runs of a map given row by row: `fill_row(y, values)` writes the value of every cell of row y, negative where none. Rows are
+/// asked in parallel.
+template <class Value = std::int64_t, class FillRow>
 [[nodiscard]] RunTable collect_runs(int width, int height, const FillRow& fill_row) {
   constexpr int band_rows = 32;
   const std::size_t bands = std::size_t((height + band_rows - 1) / band_rows);
   std::vector<std::vector<CellRun>> parts(bands);
   RunTable table{width, height, {}, std::vector<std::size_t>(std::size_t(height) + 1)};
   parallel_each(bands, [&](std::size_t band) {
-    std::vector<std::int64_t> values(static_cast<std::size_t>(width));
+    std::vector<Value> values(static_cast<std::size_t>(width));
     const int first = int(band) * band_rows;
     for (int y = first; y < std::min(first + band_rows, height); ++y) {
-      fill_row(y, std::span<std::int64_t>(values));
+      fill_row(y, std::span<Value>(values));
       const std::size_t before = parts[band].size();
-      append_runs(values, parts[band]);
+      append_runs(std::span<const Value>(values), parts[band]);
       table.row_start[std::size_t(y) + 1] = parts[band].size() - before;
     }
   });

@@ -1,6 +1,7 @@
 #include "core/ecosystem/confinement.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "core/base/parallel.hpp"
@@ -32,6 +33,9 @@ struct Interval {
   int x1 = 0;
 };
 
+/// Densest tree cover that an animal pushes through, in 1/full_cover.
+int most_trees(const Mobility& mobility) { return int(std::floor(double(mobility.max_tree_cover) * full_cover + 0.5)); }
+
 /// Obstacles of one kind of animal, row by row.
 class ObstacleRows {
  public:
@@ -40,7 +44,7 @@ class ObstacleRows {
         depth_(ground.hydrology->water_depth),
         trees_(ground.tree_cover.get()),
         mobility_(mobility),
-        max_trees_(int(std::floor(double(mobility.max_tree_cover) * full_cover + 0.5))),
+        max_trees_(most_trees(mobility)),
         fords_(std::size_t(slope_.height())) {
     for (const Ford& ford : ground.hydrology->fords) {
       const double radius = ford_radius(*ground.hydrology, ford, ground.terrain->cell_size);
@@ -125,6 +129,22 @@ bool same_obstacles(const Mobility& a, const Mobility& b) {
   return a.max_slope == b.max_slope && a.wade_depth == b.wade_depth && a.max_tree_cover == b.max_tree_cover;
 }
 
+bool same_blocked_cells(const Ground& a, const Ground& b, const Mobility& mobility) {
+  if (a.terrain != b.terrain || a.derivatives != b.derivatives || a.hydrology != b.hydrology) return false;
+  if (a.tree_cover == b.tree_cover) return true;
+  if (!a.tree_cover || !b.tree_cover) return false;
+  const int most = most_trees(mobility);
+  std::atomic<bool> same = true;
+  parallel_rows(0, a.tree_cover->height(), [&](int y) {
+    const auto before = a.tree_cover->row(y);
+    const auto after = b.tree_cover->row(y);
+    int changed = 0;
+    for (std::size_t x = 0; x < before.size(); ++x) changed |= int((before[x] > most) != (after[x] > most));
+    if (changed != 0) same = false;
+  });
+  return same;
+}
+
 Obstacle obstacle_at(const Ground& ground, const Mobility& mobility, int x, int y) {
   return ObstacleRows(ground, mobility).at(x, y);
 }
@@ -147,9 +167,10 @@ ConfinementRegions confinement_regions(const Grid<std::uint8_t>& blocked, double
 
 ConfinementRegions confinement_regions(const Ground& ground, const Mobility& mobility) {
   const ObstacleRows obstacles(ground, mobility);
-  return regions_of(collect_runs(ground.terrain->height.width(), ground.terrain->height.height(),
-                                 [&](int y, std::span<std::int64_t> out) { obstacles.fill_row<std::int64_t>(y, out, 0, -1); }),
-                    ground.terrain->cell_size);
+  return regions_of(
+      collect_runs<std::int8_t>(ground.terrain->height.width(), ground.terrain->height.height(),
+                                [&](int y, std::span<std::int8_t> out) { obstacles.fill_row<std::int8_t>(y, out, 0, -1); }),
+      ground.terrain->cell_size);
 }
 
 }  // namespace biotope

@@ -46,6 +46,10 @@ struct Mobility {
 enum class Obstacle : std::uint8_t { none, slope, deep_water, trees };
 [[nodiscard]] Obstacle obstacle_at(const Ground& ground, const Mobility& mobility, int x, int y);
 
+/// Whether an animal is kept out of the same cells of both grounds, found without computing them: the same terrain, slopes and
+/// water, and trees that are on the same side of its limit everywhere.
+[[nodiscard]] bool same_blocked_cells(const Ground& a, const Ground& b, const Mobility& mobility);
+
 /// Cells steeper than the limit, water deeper than it wades (unless within a ford), tree cover denser than it pushes through. A
 /// ford opens a disk as wide as its river, so that a corridor reaches from bank to bank.
 [[nodiscard]] Grid<std::uint8_t> blocked_cells(const Ground& ground, const Mobility& mobility);

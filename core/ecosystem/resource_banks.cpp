@@ -10,29 +10,64 @@
 namespace biotope {
 namespace {
 
-/// Marks in `wet` the cells of row y where an animal can drink: rivers, lakes, and brooks one steps over; not the sea.
-void add_drinkable(const Hydrology& hydrology, int y, std::vector<std::uint8_t>& wet) {
-  if (y < 0 || y >= hydrology.water.height()) return;
-  const auto water = hydrology.water.row(y);
-  const auto discharge = hydrology.discharge.row(y);
-  for (std::size_t x = 0; x < wet.size(); ++x) {
-    const bool fresh =
-        (water[x] == WaterKind::river) | (water[x] == WaterKind::lake) | ((discharge[x] > 0) & (water[x] != WaterKind::sea));
-    wet[x] = std::uint8_t(wet[x] | std::uint8_t(fresh));
-  }
+/// Fresh water that is this near can be drunk, m: a fringe of trees or a bar of gravel does not keep an animal from it. Our choice.
+constexpr double drinking_distance = 20;
+/// Ground steeper than this (45 degrees) between bank and water does.
+constexpr float steepest_bank = 1;
+
+/// Cells where an animal can drink: rivers, lakes, and brooks one steps over; not the sea.
+std::vector<std::size_t> drinkable_cells(const Hydrology& hydrology) {
+  const int height = hydrology.water.height();
+  const std::size_t width = std::size_t(hydrology.water.width());
+  std::vector<std::vector<std::size_t>> of_row(static_cast<std::size_t>(height));
+  parallel_rows(0, height, [&](int y) {
+    const auto water = hydrology.water.row(y);
+    const auto discharge = hydrology.discharge.row(y);
+    for (std::size_t x = 0; x < width; ++x) {
+      const bool fresh =
+          (water[x] == WaterKind::river) | (water[x] == WaterKind::lake) | ((discharge[x] > 0) & (water[x] != WaterKind::sea));
+      if (fresh) of_row[std::size_t(y)].push_back(std::size_t(y) * width + x);
+    }
+  });
+  std::vector<std::size_t> all;
+  for (const auto& row : of_row) all.insert(all.end(), row.begin(), row.end());
+  return all;
 }
 
-/// Runs of pieces on cells where fresh water is in the cell or in one of its eight neighbours.
-RunTable bank_runs(const Hydrology& hydrology, const Partition& partition) {
-  return collect_runs(partition.label.width(), partition.label.height(), [&](int y, std::span<std::int64_t> out) {
-    std::vector<std::uint8_t> wet(out.size());
-    for (int row = y - 1; row <= y + 1; ++row) add_drinkable(hydrology, row, wet);
-    const auto piece = partition.label.row(y);
-    const std::size_t last = out.size() - 1;
-    for (std::size_t x = 0; x <= last; ++x) {
-      const bool bank = wet[x] != 0 || (x > 0 && wet[x - 1] != 0) || (x < last && wet[x + 1] != 0);
-      out[x] = bank ? piece[x] : -1;
+/// 1 in cells from which water can be drunk: the water, its neighbours, and further cells up to the drinking distance to which
+/// no steep ground bars the way.
+Grid<std::uint8_t> shores(const Ground& ground) {
+  const Grid<float>& slope = ground.derivatives->slope;
+  Grid<std::uint8_t> shore(slope.width(), slope.height());
+  std::vector<std::size_t> front = drinkable_cells(*ground.hydrology);
+  for (const std::size_t cell : front) shore[cell] = 1;
+  const int steps = std::max(1, int(drinking_distance / ground.terrain->cell_size));
+  for (int step = 0; step < steps && !front.empty(); ++step) {
+    std::vector<std::size_t> next;
+    for (const std::size_t cell : front) {
+      if (step > 0 && slope[cell] > steepest_bank) continue;
+      const int x = int(cell % std::size_t(slope.width()));
+      const int y = int(cell / std::size_t(slope.width()));
+      for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+          if (!shore.contains(x + dx, y + dy) || shore(x + dx, y + dy) != 0) continue;
+          shore(x + dx, y + dy) = 1;
+          next.push_back(std::size_t(y + dy) * std::size_t(slope.width()) + std::size_t(x + dx));
+        }
+      }
     }
+    front = std::move(next);
+  }
+  return shore;
+}
+
+/// Runs of pieces on cells from which water can be drunk.
+RunTable bank_runs(const Ground& ground, const Partition& partition) {
+  const Grid<std::uint8_t> shore = shores(ground);
+  return collect_runs<std::int32_t>(partition.label.width(), partition.label.height(), [&](int y, std::span<std::int32_t> out) {
+    const auto near = shore.row(y);
+    const auto piece = partition.label.row(y);
+    for (std::size_t x = 0; x < out.size(); ++x) out[x] = near[x] != 0 ? piece[x] : -1;
   });
 }
 
@@ -90,21 +125,27 @@ std::vector<char> choose_banks(const ResourceSources& sources, const std::vector
 
 }  // namespace
 
-void add_bank_nodes(const ResourceSources& sources, GraphLevel& graph) {
-  const double cell_size = sources.ground.terrain->cell_size;
-  const RunTable table = bank_runs(*sources.ground.hydrology, sources.partition);
-  if (table.runs.empty()) return;
+std::shared_ptr<const BankStretches> find_banks(const Ground& ground, const Partition& partition) {
+  const double cell_size = ground.terrain->cell_size;
+  const RunTable table = bank_runs(ground, partition);
   // An area is left whole up to 1.5 sides, whose diagonal is then just the longest stretch.
   SplitRule rule;
   rule.side = std::max(1, int(longest_bank / (1.5 * std::sqrt(2.0)) / cell_size));
   rule.sliver_cells = std::size_t(std::max(1.0, longest_bank / 6 / cell_size));
   rule.longest = longest_bank / cell_size;
-  const Patches patches = split_into_patches(table, connected_areas(table), rule);
-  const std::vector<char> keep = choose_banks(sources, patches.patches, graph);
+  auto banks = std::make_shared<BankStretches>();
+  banks->patches = split_into_patches(table, connected_areas(table), rule);
+  const RunTable& runs = banks->patches.runs;
+  std::vector<std::int32_t> bank_of_run(runs.runs.size());
+  for (std::size_t i = 0; i < bank_of_run.size(); ++i) bank_of_run[i] = std::int32_t(runs.runs[i].value);
+  banks->nearest = nearest_to_centroid(runs, bank_of_run, banks->patches.patches);
+  return banks;
+}
 
-  std::vector<std::int32_t> bank_of_run(patches.runs.runs.size());
-  for (std::size_t i = 0; i < bank_of_run.size(); ++i) bank_of_run[i] = std::int32_t(patches.runs.runs[i].value);
-  const auto nearest = nearest_to_centroid(patches.runs, bank_of_run, patches.patches);
+void add_bank_nodes(const ResourceSources& sources, GraphLevel& graph) {
+  const auto& [patches, nearest] = sources.banks;
+  if (patches.patches.empty()) return;
+  const std::vector<char> keep = choose_banks(sources, patches.patches, graph);
   std::vector<std::int32_t> node_of_bank(patches.patches.size(), -1);
   for (std::size_t bank = 0; bank < keep.size(); ++bank) {
     if (!keep[bank]) continue;
@@ -114,10 +155,11 @@ void add_bank_nodes(const ResourceSources& sources, GraphLevel& graph) {
     node.piece = int(patches.patches[bank].value);
     graph.nodes.push_back(std::move(node));
   }
-  auto grid = std::make_shared<Grid<std::int32_t>>(table.width, table.height, -1);
-  parallel_rows(0, table.height, [&](int y) {
+  auto grid = std::make_shared<Grid<std::int32_t>>(patches.runs.width, patches.runs.height, -1);
+  const RunTable& runs = patches.runs;
+  parallel_rows(0, runs.height, [&](int y) {
     const auto row = grid->row(y);
-    for (const CellRun& run : patches.runs.row(y)) {
+    for (const CellRun& run : runs.row(y)) {
       std::fill(row.begin() + run.x0, row.begin() + run.x1, node_of_bank[std::size_t(run.value)]);
     }
   });

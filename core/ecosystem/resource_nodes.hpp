@@ -22,6 +22,34 @@ struct NodeLimits {
 };
 [[nodiscard]] NodeLimits node_limits(int level);
 
+/// Stretches of bank in the pieces of a partition, before those worth a node are chosen.
+struct BankStretches {
+  Patches patches;
+  std::vector<NearestCell> nearest;
+};
+/// All stretches from which water can be drunk.
+[[nodiscard]] std::shared_ptr<const BankStretches> find_banks(const Ground& ground, const Partition& partition);
+
+/// Rows of cover maps by tile, without the tiles that hold none: most species are absent from most of a map.
+class PresentTiles {
+ public:
+  explicit PresentTiles(std::span<const std::shared_ptr<const CoverMap>> covers);
+  /// The tile_side cells of row y in a column of tiles; null where all are 0.
+  [[nodiscard]] const Cover* row(std::size_t map, int column, int y) const {
+    const Cover* tile = tiles_[(map * std::size_t(rows_) + std::size_t(y / tile_side)) * std::size_t(columns_) + std::size_t(column)];
+    return tile == nullptr ? nullptr : tile + y % tile_side * tile_side;
+  }
+  [[nodiscard]] int columns() const { return columns_; }
+
+ private:
+  int columns_ = 0;
+  int rows_ = 0;
+  /// By map, row and column of tiles.
+  std::vector<const Cover*> tiles_;
+  /// What stands for the tiles that a map lacks; null where that is no cover.
+  std::vector<CoverMap::TilePointer> background_;
+};
+
 /// What the nodes of a level are made from.
 struct ResourceSources {
   const FoodWeb& web;
@@ -32,6 +60,9 @@ struct ResourceSources {
   std::span<const std::shared_ptr<const CoverMap>> plants;
   /// Animal levels below, level 1 first.
   std::span<const std::shared_ptr<const AnimalLevel>> below;
+  /// Tiles of `plants`.
+  const PresentTiles& tiles;
+  const BankStretches& banks;
 };
 
 /// Prey of one species that lives in one of its regions and in one piece of this level.
@@ -57,10 +88,10 @@ struct PreySupply {
 /// Whether some species of the level eats it, by species number.
 [[nodiscard]] std::vector<char> edible_to_level(const FoodWeb& web, int level);
 
-/// Sums of cover (1/full_cover cells) by group and map: sums[group * maps + map]; the runs' values are the groups. Parallel;
-/// whole numbers, so any order of adding gives the same.
-[[nodiscard]] std::vector<std::uint64_t> cover_sums(const RunTable& table, std::size_t groups,
-                                                    std::span<const CoverMap* const> covers);
+/// Sums of cover (1/full_cover cells) by group and map: sums[group * maps.size() + i] for maps[i]; the runs' values are the groups.
+/// Parallel; whole numbers, so any order of adding gives the same.
+[[nodiscard]] std::vector<std::uint64_t> cover_sums(const RunTable& table, std::size_t groups, const PresentTiles& tiles,
+                                                    std::span<const std::size_t> maps);
 
 /// Yearly growth of a summed cover, kg.
 [[nodiscard]] double growth_of(const FoodWeb& web, int plant, std::uint64_t cover_sum, double cell_area);

@@ -41,15 +41,52 @@ struct Overlap {
   std::vector<std::pair<std::int64_t, std::size_t>> cells_of_zone;
 };
 
-std::vector<Overlap> find_overlaps(const ConfinementRegions& regions, const Partition& partition, const EatenZones& zones) {
+/// Runs of the pairs of pieces of two partitions: value = own * pieces of the other + other.
+RunTable paired_runs(const Partition& own, const Partition& other) {
+  const std::int64_t pieces = std::int64_t(other.pieces.size());
+  return collect_runs(own.label.width(), own.label.height(), [&](int y, std::span<std::int64_t> out) {
+    const auto first = own.label.row(y);
+    const auto second = other.label.row(y);
+    for (std::size_t x = 0; x < out.size(); ++x) out[x] = (first[x] | second[x]) < 0 ? -1 : first[x] * pieces + second[x];
+  });
+}
+
+/// Runs of a group's regions and the pieces, value = region * pieces + piece, from those of its level's partition, which is finer.
+RunTable region_runs(const RunTable& paired, const PreyGroup& group, std::int64_t pieces) {
+  const auto& own_pieces = group.own_level->partition->pieces;
+  RunTable table{paired.width, paired.height, {}, {0}};
+  table.runs.reserve(paired.runs.size());
+  table.row_start.reserve(paired.row_start.size());
+  for (int y = 0; y < paired.height; ++y) {
+    for (const CellRun& run : paired.row(y)) {
+      const std::int64_t region = own_pieces[std::size_t(run.value / pieces)].region[group.index.front()];
+      if (region < 0) continue;
+      const std::int64_t value = region * pieces + run.value % pieces;
+      const bool continues = table.runs.size() > table.row_start.back() && table.runs.back().x1 == run.x0 && table.runs.back().value == value;
+      if (continues) {
+        table.runs.back().x1 = run.x1;
+      } else {
+        table.runs.push_back({run.x0, run.x1, value});
+      }
+    }
+    table.row_start.push_back(table.runs.size());
+  }
+  return table;
+}
+
+/// The same with each value refined by zones: value * zones + zone.
+RunTable region_runs(const PreyGroup& group, const Partition& partition, const EatenZones& zones) {
   const std::int64_t pieces = std::int64_t(partition.pieces.size());
   const Grid<std::int32_t>& label = partition.label;
-  RunTable table = collect_runs(label.width(), label.height(), [&](int y, std::span<std::int64_t> out) {
-    const auto region = regions.label.row(y);
+  return collect_runs(label.width(), label.height(), [&](int y, std::span<std::int64_t> out) {
+    const auto region = group.regions->label.row(y);
     const auto piece = label.row(y);
     for (std::size_t x = 0; x < out.size(); ++x) out[x] = (region[x] | piece[x]) < 0 ? -1 : region[x] * pieces + piece[x];
     zones.refine_row(y, out);
   });
+}
+
+std::vector<Overlap> find_overlaps(RunTable table, std::int64_t pieces, const EatenZones& zones) {
   const std::vector<std::int64_t> values = number_values(table);
   RunTable pair_table;
   for (const std::int64_t value : values) pair_table.runs.push_back({0, 1, value / zones.count()});
@@ -58,7 +95,7 @@ std::vector<Overlap> find_overlaps(const ConfinementRegions& regions, const Part
   std::vector<Area> areas(pairs.size());
   std::vector<std::size_t> cells(values.size());
   std::vector<std::int32_t> pair_of_run(table.runs.size());
-  for (int y = 0; y < label.height(); ++y) {
+  for (int y = 0; y < table.height; ++y) {
     for (std::size_t i = table.row_start[std::size_t(y)]; i < table.row_start[std::size_t(y) + 1]; ++i) {
       const CellRun& run = table.runs[i];
       pair_of_run[i] = std::int32_t(pair_table.runs[std::size_t(run.value)].value);
@@ -109,10 +146,19 @@ std::vector<int> nodes_in_region(const ResourceSources& sources, const PreySuppl
 
 std::vector<PreySupply> find_prey(const ResourceSources& sources) {
   const std::vector<PreyGroup> groups = prey_groups(sources);
+  const std::int64_t pieces = std::int64_t(sources.partition.pieces.size());
+  /// By level below: the pairs of its pieces and this level's.
+  std::vector<RunTable> paired(sources.below.size());
+  for (const PreyGroup& group : groups) {
+    const auto own = std::size_t(group.own_level->level) - 1;
+    if (paired[own].row_start.empty()) paired[own] = paired_runs(*group.own_level->partition, sources.partition);
+  }
   std::vector<std::vector<PreySupply>> found(groups.size());
   parallel_each(groups.size(), [&](std::size_t g) {
     const EatenZones zones(sources.below, groups[g].species);
-    const std::vector<Overlap> overlaps = find_overlaps(*groups[g].regions, sources.partition, zones);
+    RunTable runs = zones.nothing_eaten() ? region_runs(paired[std::size_t(groups[g].own_level->level) - 1], groups[g], pieces)
+                                          : region_runs(groups[g], sources.partition, zones);
+    const std::vector<Overlap> overlaps = find_overlaps(std::move(runs), pieces, zones);
     for (std::size_t i = 0; i < groups[g].species.size(); ++i) add_supplies(sources, groups[g], i, overlaps, zones, found[g]);
   });
   std::vector<PreySupply> all;

@@ -1,29 +1,91 @@
 #include <tbb/enumerable_thread_specific.h>
 
-#include <numeric>
+#include <algorithm>
 
 #include "core/ecosystem/eaten_zones.hpp"
 #include "core/ecosystem/resource_nodes.hpp"
 
 namespace biotope {
 
-std::vector<std::uint64_t> cover_sums(const RunTable& table, std::size_t groups, std::span<const CoverMap* const> covers) {
-  const std::size_t maps = covers.size();
-  tbb::enumerable_thread_specific<std::vector<std::uint64_t>> partial([&] { return std::vector<std::uint64_t>(groups * maps); });
+PresentTiles::PresentTiles(std::span<const std::shared_ptr<const CoverMap>> covers) {
+  for (const auto& cover : covers) {
+    if (!cover) continue;
+    columns_ = cover->tile_columns();
+    rows_ = cover->tile_rows();
+  }
+  const std::size_t tiles_of_map = std::size_t(columns_) * std::size_t(rows_);
+  tiles_.assign(covers.size() * tiles_of_map, nullptr);
+  background_.resize(covers.size());
+  parallel_each(covers.size(), [&](std::size_t map) {
+    if (!covers[map]) return;
+    if (covers[map]->background() != 0) {
+      auto tile = std::make_shared<CoverMap::Tile>();
+      tile->fill(covers[map]->background());
+      background_[map] = std::move(tile);
+    }
+    for (std::size_t i = 0; i < tiles_of_map; ++i) {
+      const CoverMap::TilePointer& tile = covers[map]->tile(i) ? covers[map]->tile(i) : background_[map];
+      if (!tile) continue;
+      unsigned any = 0;
+      for (const Cover cover : *tile) any |= cover;
+      if (any != 0) tiles_[map * tiles_of_map + i] = tile->data();
+    }
+  });
+}
+
+namespace {
+
+/// Runs of a row cut at the columns of tiles.
+struct CutRow {
+  std::vector<CellRun> runs;
+  /// Runs of column c are [start[c], start[c + 1]).
+  std::vector<std::size_t> start;
+
+  void cut(std::span<const CellRun> row, int columns) {
+    runs.clear();
+    start.assign(1, 0);
+    const auto begin_column = [&](int column) {
+      while (int(start.size()) <= column) start.push_back(runs.size());
+    };
+    for (const CellRun& run : row) {
+      for (int x = run.x0; x < run.x1;) {
+        const int column = x / tile_side;
+        begin_column(column);
+        const int end = std::min(run.x1, (column + 1) * tile_side);
+        runs.push_back({x - column * tile_side, end - column * tile_side, run.value});
+        x = end;
+      }
+    }
+    begin_column(columns);
+  }
+};
+
+}  // namespace
+
+std::vector<std::uint64_t> cover_sums(const RunTable& table, std::size_t groups, const PresentTiles& tiles,
+                                      std::span<const std::size_t> maps) {
+  tbb::enumerable_thread_specific<std::vector<std::uint64_t>> partial(
+      [&] { return std::vector<std::uint64_t>(groups * maps.size()); });
   parallel_rows(0, table.height, [&](int y) {
-    const auto runs = table.row(y);
-    if (runs.empty()) return;
+    if (table.row(y).empty()) return;
     auto& sums = partial.local();
-    std::vector<Cover> cover(static_cast<std::size_t>(table.width));
-    for (std::size_t map = 0; map < maps; ++map) {
-      covers[map]->read_row(y, 0, cover);
-      for (const CellRun& run : runs) {
-        sums[std::size_t(run.value) * maps + map] +=
-            std::accumulate(cover.begin() + run.x0, cover.begin() + run.x1, std::uint64_t{0});
+    CutRow row;
+    row.cut(table.row(y), tiles.columns());
+    for (int column = 0; column < tiles.columns(); ++column) {
+      const auto first = row.runs.begin() + std::ptrdiff_t(row.start[std::size_t(column)]);
+      const auto last = row.runs.begin() + std::ptrdiff_t(row.start[std::size_t(column) + 1]);
+      for (std::size_t i = 0; first != last && i < maps.size(); ++i) {
+        const Cover* cover = tiles.row(maps[i], column, y);
+        if (cover == nullptr) continue;
+        for (auto run = first; run != last; ++run) {
+          std::uint32_t sum = 0;
+          for (int x = run->x0; x < run->x1; ++x) sum += cover[x];
+          sums[std::size_t(run->value) * maps.size() + i] += sum;
+        }
       }
     }
   });
-  std::vector<std::uint64_t> total(groups * maps);
+  std::vector<std::uint64_t> total(groups * maps.size());
   for (const auto& sums : partial) {
     for (std::size_t i = 0; i < total.size(); ++i) total[i] += sums[i];
   }
@@ -41,11 +103,11 @@ std::vector<std::vector<double>> available_supply(const ResourceSources& sources
 
   const std::vector<char> edible = edible_to_level(sources.web, sources.level);
   std::vector<int> plants;
-  std::vector<const CoverMap*> covers;
+  std::vector<std::size_t> maps;
   for (std::size_t i = 0; i < sources.plants.size(); ++i) {
     if (!edible[std::size_t(sources.web.levels[0][i])] || !sources.plants[i]) continue;
     plants.push_back(sources.web.levels[0][i]);
-    covers.push_back(sources.plants[i].get());
+    maps.push_back(i);
   }
   if (plants.empty()) return available;
   const EatenZones zones(sources.below, plants);
@@ -55,7 +117,7 @@ std::vector<std::vector<double>> available_supply(const ResourceSources& sources
     zones.refine_row(y, out);
   });
   const std::vector<std::int64_t> values = number_values(table);
-  const std::vector<std::uint64_t> sums = cover_sums(table, values.size(), covers);
+  const std::vector<std::uint64_t> sums = cover_sums(table, values.size(), sources.tiles, maps);
   for (std::size_t group = 0; group < values.size(); ++group) {
     for (std::size_t plant = 0; plant < plants.size(); ++plant) {
       available[std::size_t(plants[plant])][std::size_t(values[group] / zones.count())] +=

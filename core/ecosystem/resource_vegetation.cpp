@@ -10,7 +10,7 @@ namespace {
 /// The plants of one stratum that the level eats.
 struct EdibleStratum {
   std::vector<int> species;
-  std::vector<const CoverMap*> covers;
+  std::vector<std::size_t> maps;  ///< their places among the level's plants
   RunTable present;
   Areas areas;
   Patches patches;
@@ -28,23 +28,28 @@ std::array<EdibleStratum, strata> edible_strata(const ResourceSources& sources) 
     if (!edible[std::size_t(species)] || !sources.plants[i]) continue;
     EdibleStratum& stratum = result[std::size_t(sources.web.species[std::size_t(species)].plant().stratum)];
     stratum.species.push_back(species);
-    stratum.covers.push_back(sources.plants[i].get());
+    stratum.maps.push_back(i);
   }
   return result;
 }
 
 /// Runs of the pieces where the stratum is present.
-RunTable present_runs(const EdibleStratum& stratum, const Partition& partition) {
+RunTable present_runs(const EdibleStratum& stratum, const PresentTiles& tiles, const Partition& partition) {
   const int threshold = int(presence_cover * full_cover + 0.5F);
-  return collect_runs(partition.label.width(), partition.label.height(), [&](int y, std::span<std::int64_t> out) {
+  return collect_runs<std::int32_t>(partition.label.width(), partition.label.height(), [&](int y, std::span<std::int32_t> out) {
     const auto piece = partition.label.row(y);
-    std::vector<std::uint16_t> sum(out.size());
-    std::vector<Cover> cover(out.size());
-    for (const CoverMap* map : stratum.covers) {
-      map->read_row(y, 0, cover);
-      for (std::size_t x = 0; x < sum.size(); ++x) sum[x] = std::uint16_t(sum[x] + cover[x]);
+    const std::size_t width = out.size();
+    for (int column = 0; column < tiles.columns(); ++column) {
+      std::array<std::uint16_t, tile_side> sum{};
+      for (const std::size_t map : stratum.maps) {
+        const Cover* cover = tiles.row(map, column, y);
+        if (cover == nullptr) continue;
+        for (std::size_t x = 0; x < sum.size(); ++x) sum[x] = std::uint16_t(sum[x] + cover[x]);
+      }
+      const std::size_t x0 = std::size_t(column) * tile_side;
+      const std::size_t cells = std::min(width - x0, sum.size());
+      for (std::size_t x = 0; x < cells; ++x) out[x0 + x] = sum[x] >= threshold ? piece[x0 + x] : -1;
     }
-    for (std::size_t x = 0; x < sum.size(); ++x) out[x] = sum[x] >= threshold ? piece[x] : -1;
   });
 }
 
@@ -112,7 +117,7 @@ void subtract_eaten(const ResourceSources& sources, const EdibleStratum& stratum
     zones.refine_row(y, out);
   });
   const std::vector<std::int64_t> values = number_values(table);
-  const std::vector<std::uint64_t> sums = cover_sums(table, values.size(), stratum.covers);
+  const std::vector<std::uint64_t> sums = cover_sums(table, values.size(), sources.tiles, stratum.maps);
   const std::size_t plants = stratum.species.size();
   for (ResourceNode& node : graph.nodes) {
     if (node.group != int(s)) continue;
@@ -138,7 +143,7 @@ void add_vegetation_nodes(const ResourceSources& sources, GraphLevel& graph) {
   std::size_t present_cells = 0;
   for (EdibleStratum& stratum : all) {
     if (stratum.species.empty()) continue;
-    stratum.present = present_runs(stratum, sources.partition);
+    stratum.present = present_runs(stratum, sources.tiles, sources.partition);
     for (const CellRun& run : stratum.present.runs) present_cells += std::size_t(run.x1 - run.x0);
   }
   SplitRule rule;
@@ -150,7 +155,7 @@ void add_vegetation_nodes(const ResourceSources& sources, GraphLevel& graph) {
     if (stratum.present.runs.empty()) return;
     stratum.areas = connected_areas(stratum.present);
     stratum.patches = split_into_patches(stratum.present, stratum.areas, rule);
-    stratum.sums = cover_sums(stratum.patches.runs, stratum.patches.patches.size(), stratum.covers);
+    stratum.sums = cover_sums(stratum.patches.runs, stratum.patches.patches.size(), sources.tiles, stratum.maps);
   });
   make_nodes(sources, all, graph);
   for (std::size_t s = 0; s < all.size(); ++s) {

@@ -1,6 +1,7 @@
 #include "core/exchange/open_input.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/exchange/document_scale.hpp"
 #include "core/exchange/scene_file.hpp"
@@ -39,8 +40,7 @@ Result<Document> open_sample(std::string_view name, const TaskContext& context) 
   return document;
 }
 
-Result<Document> open_dem(const std::filesystem::path& file, const DemImportOptions& options,
-                          const TaskContext& context) {
+Result<Document> open_dem(const std::filesystem::path& file, const DemImportOptions& options, const TaskContext& context) {
   auto terrain = import_dem(file, options, context);
   if (!terrain) return tl::unexpected(terrain.error());
   Document document;
@@ -50,8 +50,25 @@ Result<Document> open_dem(const std::filesystem::path& file, const DemImportOpti
   return document;
 }
 
-/// Cell size and size for what does not come through the DEM import.
+/// An Error for options that say how to read a DEM, given with something else: ignoring them would be a silent mistake.
+Status check_no_dem_options(const std::string& input, const DemImportOptions& options) {
+  const char* option = options.raw                    ? "--raw"
+                       : options.crop                 ? "--crop"
+                       : options.vertical_scale != 1  ? "--vertical-scale"
+                       : options.vertical_offset != 0 ? "--vertical-offset"
+                                                      : nullptr;
+  if (option == nullptr) return {};
+  return fail(input + ": is no DEM, so " + option + " does not apply.");
+}
+
+/// Cell size, size and latitude for what does not come through the DEM import.
 Result<Document> scaled(Document document, const DemImportOptions& options) {
+  if (options.latitude) {
+    if (!(std::abs(*options.latitude) <= 90)) return fail("The latitude must lie between -90 and 90 degrees.");
+    auto terrain = std::make_shared<Terrain>(*document.terrain);
+    terrain->latitude = *options.latitude;
+    document.terrain = std::move(terrain);
+  }
   if (options.cell_size) {
     if (!(*options.cell_size > 0)) return fail("The cell size must be more than 0 m.");
     document = with_cell_size(document, *options.cell_size);
@@ -83,7 +100,11 @@ Result<Climate> climate_named(std::string_view name) {
 }
 
 Result<Document> open_input(const std::string& input, const DemImportOptions& options, const TaskContext& context) {
-  if (input.starts_with(sample_prefix)) {
+  const bool sample = input.starts_with(sample_prefix);
+  if (sample || is_scene_file(input)) {
+    if (const Status sound = check_no_dem_options(input, options); !sound) return tl::unexpected(sound.error());
+  }
+  if (sample) {
     auto document = open_sample(std::string_view(input).substr(sample_prefix.size()), context);
     return document ? scaled(std::move(*document), options) : document;
   }

@@ -26,7 +26,8 @@ namespace biotope {
 
 /// What the command line and File > Open accept: a scene (.biotope), any DEM, or "sample:NAME". A DEM or sample becomes a Document with the default
 /// climate (mild-humid) and species.
-/// Cell size and longer side apply to all three; a scene's paint is resampled with its terrain.
+/// Cell size, longer side and latitude apply to all three; a scene's paint is resampled with its terrain. Options that say how to read a DEM
+/// (RAW layout, crop, vertical scale and offset) given with a scene or sample are an Error.
 [[nodiscard]] Result<Document> open_input(const std::string& input, const DemImportOptions& options = {},
                                           const TaskContext& context = {});
 

@@ -22,8 +22,12 @@ struct SolveOutputOptions {
   std::string program_version;
 };
 
+/// An Error when `folder` cannot be written into (or cannot be made); leaves nothing behind. For before a long computation.
+[[nodiscard]] Status check_solve_folder(const std::filesystem::path& folder);
+
 /// Writes summary.json, maps/*.tif, trails.geojson, plans.json and graph.json into `folder` (made when missing). Everything is first written
-/// into a folder beside it and then moved in, so a failure leaves nothing half written; other files of `folder` stay.
+/// into a folder beside it and then moved in, so a failure leaves nothing half written. Other files of `folder` and of `maps` stay; maps that an
+/// earlier run wrote are removed.
 /// Only timings and memory in summary.json differ between two runs on the same input.
 [[nodiscard]] Status write_solve_output(const std::filesystem::path& folder, const MapsSnapshot& snapshot,
                                         const SolveOutputOptions& options, const TaskContext& context = {});

@@ -29,18 +29,22 @@ bool lives_on_plants(const FoodWeb& web, int species) {
 class Planner {
  public:
   Planner(const FoodWeb& web, std::span<const std::shared_ptr<const AnimalLevel>> levels, std::span<const LevelMovement> movement,
-          const Ground& ground, std::uint64_t seed)
-      : web_(web), levels_(levels), movement_(movement), ground_(ground), seed_(seed) {}
+          const Ground& ground, const TrailNetwork* trails, std::uint64_t seed)
+      : web_(web), levels_(levels), movement_(movement), ground_(ground), trails_(trails), seed_(seed), herds_(planned_herds(levels, seed)) {}
 
   void plan_level(std::size_t number) {
     const AnimalLevel& level = *levels_[number];
-    const PlanInput input{web_, level, movement_[number], ground_, seed_};
+    const std::vector<std::uint64_t> keys = herd_keys(level, seed_);
+    const PlanInput input{web_, level, movement_[number], ground_, keys, trails_};
     std::vector<std::optional<PlannedDay>> days(level.herds.size());
-    if (number > 0) follow(input, number, days);
+    if (number > 0) follow(input, herds_[number], days);
     std::vector<std::uint8_t> wanted(level.herds.size(), 0);
-    for (std::size_t i = 0; i < days.size(); ++i) wanted[i] = !days[i];
+    for (const int herd : herds_[number]) wanted[std::size_t(herd)] = !days[std::size_t(herd)];
     graze(input, wanted, days);
-    for (auto& day : days) {
+    for (const int herd : herds_[number]) {
+      auto& day = days[std::size_t(herd)];
+      const Herd& animals = level.herds[std::size_t(herd)];
+      if (!day->first.stops.empty()) plans_of_[{animals.species, animals.region}].push_back(int(plans_.size()));
       plans_.push_back(std::move(day->first));
       courses_.push_back(std::move(day->second));
       level_of_plan_.push_back(number);
@@ -70,22 +74,22 @@ class Planner {
   }
 
   /// In rounds: every pack without a herd draws one (herds that are already followed draw fewer others), then all try to follow.
-  void follow(const PlanInput& input, std::size_t number, std::vector<std::optional<PlannedDay>>& days) {
+  void follow(const PlanInput& input, std::span<const int> packs, std::vector<std::optional<PlannedDay>>& days) {
     std::vector<int> followers(plans_.size(), 0);
-    std::vector<std::vector<Candidate>> candidates(days.size());
-    for (std::size_t herd = 0; herd < days.size(); ++herd) {
-      if (!lives_on_plants(web_, input.level.herds[herd].species)) candidates[herd] = candidates_of(input, number, int(herd));
+    std::vector<std::vector<Candidate>> candidates(packs.size());
+    for (std::size_t i = 0; i < packs.size(); ++i) {
+      if (!lives_on_plants(web_, input.level.herds[std::size_t(packs[i])].species)) candidates[i] = candidates_of(input, packs[i]);
     }
     constexpr std::uint64_t rounds = 6;
     for (std::uint64_t round = 0; round < rounds; ++round) {
       std::vector<std::pair<std::size_t, Candidate>> chosen;
-      for (std::size_t herd = 0; herd < days.size(); ++herd) {
-        if (days[herd] || candidates[herd].empty()) continue;
-        const double unit = random_unit({seed_, std::uint64_t(input.level.level), herd, round, 41});
-        const std::size_t drawn = draw(candidates[herd], followers, unit);
-        chosen.emplace_back(herd, candidates[herd][drawn]);
-        ++followers[std::size_t(candidates[herd][drawn].plan)];
-        candidates[herd].erase(candidates[herd].begin() + std::ptrdiff_t(drawn));
+      for (std::size_t i = 0; i < packs.size(); ++i) {
+        const auto herd = std::size_t(packs[i]);
+        if (days[herd] || candidates[i].empty()) continue;
+        const std::size_t drawn = draw(candidates[i], followers, random_unit({input.keys[herd], round, 41}));
+        chosen.emplace_back(herd, candidates[i][drawn]);
+        ++followers[std::size_t(candidates[i][drawn].plan)];
+        candidates[i].erase(candidates[i].begin() + std::ptrdiff_t(drawn));
       }
       parallel_each(chosen.size(), [&](std::size_t i) { days[chosen[i].first] = try_to_follow(input, chosen[i].first, chosen[i].second); });
       for (const auto& [herd, candidate] : chosen) {
@@ -102,23 +106,26 @@ class Planner {
                        {candidate.plan, &plans_[plan], &courses_[plan], levels_[level_of_plan_[plan]]->graph.get(), candidate.node}, ground);
   }
 
-  /// Herds whose region is a resource of the pack, by P_s(v) of that region and their size.
-  [[nodiscard]] std::vector<Candidate> candidates_of(const PlanInput& input, std::size_t number, int herd) const {
+  /// Herds whose region is a resource of the pack, by P_s(v) of that region and their size; of a region with many herds some.
+  [[nodiscard]] std::vector<Candidate> candidates_of(const PlanInput& input, int herd) const {
+    constexpr std::size_t most_a_region = 24;
     const Herd& pack = input.level.herds[std::size_t(herd)];
     const int species = species_index_of(input.level, pack);
     const auto& presence = input.movement.travel->presence[std::size_t(species)][std::size_t(pack.region)];
     const auto& label = input.level.regions[std::size_t(species)]->label;
     std::vector<Candidate> candidates;
-    for (std::size_t i = 0; i < plans_.size(); ++i) {
-      if (level_of_plan_[i] >= number || plans_[i].stops.empty()) continue;
-      const Herd& prey = levels_[level_of_plan_[i]]->herds[std::size_t(plans_[i].herd)];
-      const PathPoint home = plans_[i].way.front().at;
-      if (label(int(std::lround(home.x)), int(std::lround(home.y))) != pack.region) continue;
-      for (const auto& [node, probability] : presence) {
-        const ResourceNode& place = input.level.graph->nodes[std::size_t(node)];
-        if (place.kind != NodeKind::prey || place.group != prey.species || place.prey_region != prey.region) continue;
-        candidates.push_back({int(i), node, double(probability) * prey.size});
-        break;
+    for (const auto& [node, probability] : presence) {
+      const ResourceNode& place = input.level.graph->nodes[std::size_t(node)];
+      if (place.kind != NodeKind::prey) continue;
+      const auto there = plans_of_.find({place.group, place.prey_region});
+      if (there == plans_of_.end()) continue;
+      const std::vector<int>& plans = there->second;
+      const std::uint64_t start = random_bits({input.keys[std::size_t(herd)], std::uint64_t(node), 43}) % plans.size();
+      for (std::size_t i = 0; i < std::min(plans.size(), most_a_region); ++i) {
+        const int plan = plans[(start + i) % plans.size()];
+        const PathCell home = cell_at(plans_[std::size_t(plan)].way.front().at);
+        if (label(home.x, home.y) != pack.region) continue;
+        candidates.push_back({plan, node, double(probability) * plans_[std::size_t(plan)].size});
       }
     }
     return candidates;
@@ -139,10 +146,14 @@ class Planner {
   std::span<const std::shared_ptr<const AnimalLevel>> levels_;
   std::span<const LevelMovement> movement_;
   const Ground& ground_;
+  const TrailNetwork* trails_;
   std::uint64_t seed_;
+  std::vector<std::vector<int>> herds_;
   std::vector<DailyPlan> plans_;
   std::vector<HerdCourse> courses_;
   std::vector<std::size_t> level_of_plan_;
+  /// Plans of herds that go somewhere, by species and region.
+  std::map<std::pair<int, int>, std::vector<int>> plans_of_;
 };
 
 }  // namespace
@@ -157,8 +168,8 @@ DailyPlan stand_still(const PlanInput& input, int herd) {
   PathPoint at{float(bounds.x0), float(bounds.y0)};
   bool found = false;
   for (std::uint64_t i = 0; i < 64 && !found; ++i) {
-    const int x = random_int(bounds.x0, bounds.x1 - 1, {input.seed, std::uint64_t(input.level.level), std::uint64_t(herd), i, 51});
-    const int y = random_int(bounds.y0, bounds.y1 - 1, {input.seed, std::uint64_t(input.level.level), std::uint64_t(herd), i, 52});
+    const int x = random_int(bounds.x0, bounds.x1 - 1, {input.keys[std::size_t(herd)], i, 51});
+    const int y = random_int(bounds.y0, bounds.y1 - 1, {input.keys[std::size_t(herd)], i, 52});
     found = regions.label(x, y) == animals.region;
     if (found) at = {float(x), float(y)};
   }
@@ -174,9 +185,9 @@ DailyPlan stand_still(const PlanInput& input, int herd) {
 
 Result<std::vector<DailyPlan>> compute_daily_plans(const FoodWeb& web, std::span<const std::shared_ptr<const AnimalLevel>> levels,
                                                    std::span<const LevelMovement> movement, const Ground& ground, std::uint64_t seed,
-                                                   const TaskContext& context) {
+                                                   const TaskContext& context, const TrailNetwork* trails) {
   assert(levels.size() == movement.size());
-  Planner planner(web, levels, movement, ground, seed);
+  Planner planner(web, levels, movement, ground, trails, seed);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     if (context.stopped()) return fail("stopped");
     planner.plan_level(i);

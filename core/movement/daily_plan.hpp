@@ -51,13 +51,23 @@ struct HerdState {
   HerdActivity activity = HerdActivity::resting;
 };
 
-/// Plans of every herd (paper algorithm 3): mandatory resources first, capacities, stays from needs and quantities, active hours; predators follow
-/// herds of a level below that they can reach (those that live on plants for more than half plan like grazers). One plan a herd, levels in order. A walk never is
-/// faster than the species walks on that slope. Deterministic in `seed`.
+/// Herds that get a plan, at most; where a map holds more they are chosen evenly over species, and within a species by chance. Our choice: more
+/// can neither be told apart on a map nor kept in little memory.
+inline constexpr std::size_t most_plans = 1500;
+
+/// Herds of each level that get a plan, ascending.
+[[nodiscard]] std::vector<std::vector<int>> planned_herds(std::span<const std::shared_ptr<const AnimalLevel>> levels, std::uint64_t seed,
+                                                          std::size_t most = most_plans);
+
+/// Plans of herds (paper algorithm 3): mandatory resources first, capacities, stays from needs and quantities, active hours; predators follow
+/// herds of a level below that they can reach (those that live on plants for more than half plan like grazers). One plan a herd, levels in order, for
+/// the herds of planned_herds. A walk never is faster than the species walks on that slope, and is on the trails (may be null) where one leads along.
+/// Deterministic in `seed`; a herd's draws depend on its species, region and number there.
 [[nodiscard]] Result<std::vector<DailyPlan>> compute_daily_plans(const FoodWeb& web,
                                                                  std::span<const std::shared_ptr<const AnimalLevel>> levels,
                                                                  std::span<const LevelMovement> movement, const Ground& ground,
-                                                                 std::uint64_t seed, const TaskContext& context = {});
+                                                                 std::uint64_t seed, const TaskContext& context = {},
+                                                                 const TrailNetwork* trails = nullptr);
 
 /// Hours a species is active: diurnal 5-21, crepuscular 4-10 and 16-22, nocturnal 18-6, cathemeral all day (our choice).
 [[nodiscard]] std::vector<DailyPlan::Span> active_hours(Activity activity);

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "core/base/parallel.hpp"
+#include "core/movement/movement_cache.hpp"
 #include "core/movement/plan_parts.hpp"
 #include "core/movement/trails.hpp"
 #include "core/movement/travel_search.hpp"
@@ -28,7 +29,7 @@ struct Onward {
   float probability = 0;
 };
 
-void find_graphs(const FoodWeb& web, const AnimalLevel& level, const Ground& ground, LevelTravel& travel) {
+void find_graphs(const FoodWeb& web, const AnimalLevel& level, const Ground& ground, MovementCache* cache, LevelTravel& travel) {
   std::vector<std::size_t> first_species;
   std::vector<Mobility> mobilities;
   for (std::size_t i = 0; i < level.species.size(); ++i) {
@@ -42,15 +43,17 @@ void find_graphs(const FoodWeb& web, const AnimalLevel& level, const Ground& gro
   const int block = travel_block(ground.terrain->height.width(), ground.terrain->height.height());
   travel.graphs.resize(mobilities.size());
   travel.vertex_of_node.resize(mobilities.size());
-  parallel_each(mobilities.size(), [&](std::size_t i) {
-    auto graph = std::make_shared<const TravelGraph>(
-        build_travel_graph(ground, *level.regions[first_species[i]], mobilities[i], block));
+  MovementCache own;
+  MovementCache& graphs = cache ? *cache : own;
+  for (std::size_t i = 0; i < mobilities.size(); ++i) {
+    auto graph = graphs.graph(ground, level.regions[first_species[i]], mobilities[i], block);
     for (const ResourceNode& node : level.graph->nodes) {
       const auto cell = standing_cell(*graph, node);
       travel.vertex_of_node[i].push_back(cell ? graph->vertex_of_cell(cell->x, cell->y) : -1);
     }
     travel.graphs[i] = std::move(graph);
-  });
+  }
+  graphs.end_graphs(travel.graphs, level.level);
 }
 
 /// Keeps the most probable onward edges, and the most probable banks among them.
@@ -118,7 +121,7 @@ class EdgeFinder {
   void run(std::vector<Onward>& out) const {
     const std::size_t nodes = vertices_.size();
     std::vector<std::vector<Onward>> found(nodes);
-    constexpr std::size_t chunk = 16;
+    constexpr std::size_t chunk = 32;
     parallel_each((nodes + chunk - 1) / chunk, [&](std::size_t i) {
       TravelSearch search(graph_, graph_.cost);
       for (std::size_t node = i * chunk; node < std::min(nodes, (i + 1) * chunk); ++node) from_node(int(node), search, found[node]);
@@ -156,9 +159,9 @@ class EdgeFinder {
 }  // namespace
 
 Result<LevelMovement> compute_level_movement(const FoodWeb& web, const AnimalLevel& level, const Ground& ground,
-                                             const TaskContext& context) {
+                                             const TaskContext& context, MovementCache* cache) {
   auto travel = std::make_shared<LevelTravel>();
-  if (!level.species.empty()) find_graphs(web, level, ground, *travel);
+  if (!level.species.empty()) find_graphs(web, level, ground, cache, *travel);
   context.report("Travel", 0.4);
   if (context.stopped()) return fail("stopped");
   travel->presence.resize(level.species.size());

@@ -49,7 +49,7 @@ class Drafter {
   [[nodiscard]] bool is_bank(int number) const { return node(number).kind == NodeKind::bank; }
   [[nodiscard]] int here() const { return day_.stays.back().node; }
   [[nodiscard]] double chance(std::uint64_t what) const {
-    return random_unit({input_.seed, std::uint64_t(input_.level.level), std::uint64_t(day_.herd), what, day_.stays.size()});
+    return random_unit({input_.keys[std::size_t(day_.herd)], what, day_.stays.size()});
   }
   [[nodiscard]] bool has_banks() const {
     return std::any_of(presence_.begin(), presence_.end(), [&](const auto& p) { return is_bank(p.node); });

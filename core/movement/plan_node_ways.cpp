@@ -3,6 +3,7 @@
 
 #include "core/base/parallel.hpp"
 #include "core/movement/plan_parts.hpp"
+#include "core/movement/trail_ways.hpp"
 #include "core/movement/travel_search.hpp"
 
 namespace biotope {
@@ -12,73 +13,166 @@ namespace {
 constexpr std::size_t most_skipped = 6;
 constexpr double skipping_cost = 1.02;
 
+/// Points of a trail next to where a way joins or leaves it that may be rounded.
+constexpr std::size_t loose_ends = 2;
+
 PathPoint point_of(PathCell cell) { return {float(cell.x), float(cell.y)}; }
 
 PathCell place_of(const TravelGraph& graph, std::uint32_t vertex) { return {graph.vertices[vertex].x, graph.vertices[vertex].y}; }
 
-/// Around what lies between two neighbouring places when the straight line is not clear.
-std::vector<PathCell> way_around(const FineGround& ground, int block, PathCell a, PathCell b) {
-  const std::array over{a, b};
-  return fine_path(ground, block, over, a, b);
+double squared_distance(PathPoint a, PathPoint b) {
+  return double(a.x - b.x) * double(a.x - b.x) + double(a.y - b.y) * double(a.y - b.y);
 }
 
-/// Draws ways over a travel graph on the fine ground: straight from place to place, past places where that costs no more, and around obstacles.
+/// Points of one trail, first to last in the direction of walking.
+struct OnTrail {
+  std::size_t first_edge = 0;  ///< position in the coarse way
+  std::size_t last_edge = 0;   ///< the edge after the last
+  const std::vector<PathPoint>* points = nullptr;
+  std::int64_t first = 0;
+  std::int64_t last = 0;
+};
+
+/// Draws ways over a travel graph on the fine ground: along trails where there are any, else straight from place to place, past places where that
+/// costs no more, and around obstacles.
 class WayDrawer {
  public:
-  WayDrawer(const FineGround& ground, const TravelGraph& graph) : ground_(ground), graph_(graph) {}
+  WayDrawer(const FineGround& ground, const TravelGraph& graph, const TrailNetwork* trails) : ground_(ground), graph_(graph), trails_(trails) {}
 
-  [[nodiscard]] NodeWay draw(std::span<const std::uint32_t> vertices, PathCell from, PathCell to) const {
-    std::vector<PathCell> places{from};
-    for (std::size_t i = 1; i + 1 < vertices.size(); ++i) places.push_back(place_of(graph_, vertices[i]));
-    if (from != to) places.push_back(to);
-    std::vector<PathPoint> points{point_of(from)};
-    for (std::size_t at = 0; at + 1 < places.size();) {
-      const std::size_t next = farthest(places, at);
-      if (next > at) {
-        append_line(points, places[at], places[next]);
-        at = next;
-        continue;
-      }
-      const auto around = way_around(ground_, graph_.block, places[at], places[at + 1]);
-      if (around.empty()) return whole(places, from, to);
-      for (std::size_t i = 1; i < around.size(); ++i) points.push_back(point_of(around[i]));
-      ++at;
+  [[nodiscard]] NodeWay draw(std::span<const std::uint32_t> vertices, PathCell from, PathCell to) {
+    points_.assign(1, point_of(from));
+    fixed_.assign(1, 0);
+    std::vector<PathPoint> places{point_of(from)};
+    std::size_t edge = 0;
+    for (const OnTrail& trail : trails_along(vertices, from, to)) {
+      for (std::size_t v = std::max<std::size_t>(edge, 1); v < trail.first_edge; ++v) places.push_back(point_of(place_of(graph_, vertices[v])));
+      places.push_back((*trail.points)[std::size_t(trail.first)]);
+      if (!append_places(places)) return whole(vertices, from, to);
+      append_trail(trail);
+      places.assign(1, points_.back());
+      edge = trail.last_edge + 1;
     }
-    return costed(smooth_path(ground_, std::move(points)));
+    for (std::size_t v = std::max<std::size_t>(edge, 1); v + 1 < vertices.size(); ++v) places.push_back(point_of(place_of(graph_, vertices[v])));
+    places.push_back(point_of(to));
+    if (!append_places(places)) return whole(vertices, from, to);
+    round_path(ground_, fixed_, points_);
+    return costed(std::move(points_));
   }
 
  private:
+  /// Runs of edges that follow one trail, in order, where the mobility can walk all of it.
+  [[nodiscard]] std::vector<OnTrail> trails_along(std::span<const std::uint32_t> vertices, PathCell from, PathCell to) const {
+    std::vector<OnTrail> runs;
+    if (!trails_ || !trails_->ways) return runs;
+    const auto cell = [&](std::uint32_t v) {
+      return std::uint32_t(graph_.vertices[v].y) * std::uint32_t(graph_.vertex_of_cell.width()) + std::uint32_t(graph_.vertices[v].x);
+    };
+    for (std::size_t e = 0; e + 1 < vertices.size(); ++e) {
+      const std::uint32_t a = cell(vertices[e]);
+      const std::uint32_t b = cell(vertices[e + 1]);
+      const auto found = trails_->ways->stretches.find(TrailWays::key(std::min(a, b), std::max(a, b)));
+      if (found == trails_->ways->stretches.end()) continue;
+      TrailWays::Stretch stretch = found->second;
+      if (b < a) std::swap(stretch.first, stretch.last);
+      OnTrail run{e, e + 1, &trails_->routes[stretch.route].points, stretch.first, stretch.last};
+      if (!walkable(run)) continue;
+      if (!runs.empty() && runs.back().last_edge == e && runs.back().points == run.points && runs.back().last == run.first) {
+        runs.back().last_edge = e + 1;
+        runs.back().last = run.last;
+      } else {
+        runs.push_back(run);
+      }
+    }
+    if (!runs.empty() && runs.front().first_edge == 0) runs.front().first = nearest(runs.front(), point_of(from));
+    if (!runs.empty() && runs.back().last_edge + 1 == vertices.size()) runs.back().last = nearest(runs.back(), point_of(to));
+    return runs;
+  }
+
+  [[nodiscard]] bool walkable(const OnTrail& run) const {
+    const auto& points = *run.points;
+    for (std::int64_t i = std::min(run.first, run.last); i < std::max(run.first, run.last); ++i) {
+      if (!ground_.clear(points[std::size_t(i)], points[std::size_t(i) + 1])) return false;
+    }
+    return ground_.passable(points[std::size_t(run.first)]);
+  }
+
+  /// Point of a run nearest to another point.
+  static std::int64_t nearest(const OnTrail& run, PathPoint to) {
+    const std::int64_t step = run.last >= run.first ? 1 : -1;
+    std::int64_t best = run.first;
+    for (std::int64_t i = run.first; i != run.last + step; i += step) {
+      if (squared_distance((*run.points)[std::size_t(i)], to) < squared_distance((*run.points)[std::size_t(best)], to)) best = i;
+    }
+    return best;
+  }
+
+  void append(PathPoint point, bool fixed) {
+    if (point.x == points_.back().x && point.y == points_.back().y) return;
+    points_.push_back(point);
+    fixed_.push_back(fixed);
+  }
+
+  void append_trail(const OnTrail& trail) {
+    const std::int64_t step = trail.last >= trail.first ? 1 : -1;
+    const auto count = std::size_t((trail.last - trail.first) * step) + 1;
+    for (std::size_t i = 0; i < count; ++i) {
+      append((*trail.points)[std::size_t(trail.first + std::int64_t(i) * step)], i >= loose_ends && i + loose_ends < count);
+    }
+  }
+
+  /// Goes by places from where the way has come to; false when two of them do not connect closely.
+  bool append_places(const std::vector<PathPoint>& places) {
+    for (std::size_t at = 0; at + 1 < places.size();) {
+      const std::size_t next = farthest(places, at);
+      if (next > at) {
+        append_line(places[at], places[next]);
+        at = next;
+        continue;
+      }
+      const std::array over{cell_at(places[at]), cell_at(places[at + 1])};
+      const auto around = fine_path(ground_, graph_.block, over, over[0], over[1]);
+      if (around.empty()) return false;
+      for (const PathCell& cell : around) append(point_of(cell), false);
+      append(places[at + 1], false);
+      ++at;
+    }
+    return true;
+  }
+
   /// Place that a straight line reaches from place `at`; `at` itself when not even the next one.
-  [[nodiscard]] std::size_t farthest(const std::vector<PathCell>& places, std::size_t at) const {
-    const PathPoint start = point_of(places[at]);
+  [[nodiscard]] std::size_t farthest(const std::vector<PathPoint>& places, std::size_t at) const {
+    const PathPoint start = places[at];
     std::size_t reached = at;
     double by_places = 0;
     for (std::size_t next = at + 1; next < std::min(places.size(), at + 1 + most_skipped); ++next) {
-      const PathPoint end = point_of(places[next]);
+      const PathPoint end = places[next];
       if (!ground_.clear(start, end)) break;
-      by_places += ground_.walk_along(point_of(places[next - 1]), end);
+      by_places += ground_.walk_along(places[next - 1], end);
       if (next > at + 1 && ground_.walk_along(start, end) > by_places * skipping_cost) break;
       reached = next;
     }
     return reached;
   }
 
-  void append_line(std::vector<PathPoint>& points, PathCell a, PathCell b) const {
-    const int pieces = std::max(1, std::max(std::abs(b.x - a.x), std::abs(b.y - a.y)) / ground_.stride());
+  void append_line(PathPoint a, PathPoint b) {
+    const int pieces = std::max(1, int(std::max(std::abs(b.x - a.x), std::abs(b.y - a.y))) / ground_.stride());
     for (int i = 1; i <= pieces; ++i) {
       const float t = float(i) / float(pieces);
-      points.push_back({float(a.x) + float(b.x - a.x) * t, float(a.y) + float(b.y - a.y) * t});
+      append(i == pieces ? b : PathPoint{a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t}, false);
     }
   }
 
   /// Where two places do not connect closely: a search along the whole way.
-  [[nodiscard]] NodeWay whole(const std::vector<PathCell>& places, PathCell from, PathCell to) const {
+  [[nodiscard]] NodeWay whole(std::span<const std::uint32_t> vertices, PathCell from, PathCell to) const {
+    std::vector<PathCell> places{from};
+    for (const std::uint32_t v : vertices) places.push_back(place_of(graph_, v));
     const auto cells = fine_path(ground_, graph_.block, places, from, to);
     return cells.empty() ? NodeWay{} : costed(smooth_path(ground_, points_of(cells)));
   }
 
   [[nodiscard]] NodeWay costed(std::vector<PathPoint> points) const {
     NodeWay way{std::move(points), {0}};
+    way.cost.reserve(way.points.size());
     for (std::size_t i = 1; i < way.points.size(); ++i) {
       way.cost.push_back(way.cost.back() + ground_.walk_between(way.points[i - 1], way.points[i]));
     }
@@ -87,7 +181,16 @@ class WayDrawer {
 
   const FineGround& ground_;
   const TravelGraph& graph_;
+  const TrailNetwork* trails_;
+  std::vector<PathPoint> points_;
+  std::vector<std::uint8_t> fixed_;
 };
+
+/// Costs by which ways are chosen: on worn ground where there are trails.
+std::span<const float> way_costs(const TravelGraph& graph, const TrailNetwork* trails) {
+  const TrailWays::WornGraph* worn = trails && trails->ways ? trails->ways->find(&graph) : nullptr;
+  return worn ? std::span<const float>(worn->cost) : std::span<const float>(graph.cost);
+}
 
 }  // namespace
 
@@ -137,9 +240,9 @@ void NodeWays::find() {
       ++goals[std::size_t(graph.vertex_of_cell(end->x, end->y))];
       ++wanted;
     }
-    TravelSearch search(graph, graph.cost);
+    TravelSearch search(graph, way_costs(graph, input_.trails));
     search.run(std::uint32_t(graph.vertex_of_cell(start->x, start->y)), goals, wanted);
-    const WayDrawer drawer(grounds[std::size_t(number)], graph);
+    WayDrawer drawer(grounds[std::size_t(number)], graph, input_.trails);
     for (const auto& [to, end] : ends) {
       const auto vertices = travel_path(search, std::uint32_t(graph.vertex_of_cell(end.x, end.y)));
       if (!vertices.empty()) groups[i]->second.at(to) = drawer.draw(vertices, *start, end);
@@ -154,16 +257,16 @@ const NodeWay* NodeWays::get(int graph, int from, int to) const {
   return way == ways->second.end() || way->second.points.empty() ? nullptr : &way->second;
 }
 
-NodeWay way_between(const FineGround& ground, const TravelGraph& graph, PathCell from, PathCell to) {
+NodeWay way_between(const FineGround& ground, const TravelGraph& graph, const TrailNetwork* trails, PathCell from, PathCell to) {
   const auto& cells = graph.vertex_of_cell;
   if (cells(from.x, from.y) < 0 || cells(to.x, to.y) < 0) return {};
   const auto goal = std::uint32_t(cells(to.x, to.y));
   std::vector<std::uint16_t> goals(graph.vertices.size(), 0);
   goals[goal] = 1;
-  TravelSearch search(graph, graph.cost);
+  TravelSearch search(graph, way_costs(graph, trails));
   search.run(std::uint32_t(cells(from.x, from.y)), goals, 1);
   const auto vertices = travel_path(search, goal);
-  return vertices.empty() ? NodeWay{} : WayDrawer(ground, graph).draw(vertices, from, to);
+  return vertices.empty() ? NodeWay{} : WayDrawer(ground, graph, trails).draw(vertices, from, to);
 }
 
 }  // namespace biotope

@@ -49,8 +49,14 @@ struct PlanInput {
   const AnimalLevel& level;
   const LevelMovement& movement;
   const Ground& ground;
-  std::uint64_t seed = 1;
+  /// See herd_keys.
+  std::span<const std::uint64_t> keys;
+  const TrailNetwork* trails = nullptr;
 };
+
+/// What a herd's draws come from: a number that depends on the seed, its species, its region and how many such herds come before it, so that herds
+/// elsewhere do not change its day.
+[[nodiscard]] std::vector<std::uint64_t> herd_keys(const AnimalLevel& level, std::uint64_t seed);
 
 /// Cell at or near a node where the mobility of `graph` can stand; nothing when there is none close by.
 [[nodiscard]] std::optional<PathCell> standing_cell(const TravelGraph& graph, const ResourceNode& node);
@@ -81,7 +87,7 @@ class NodeWays {
 };
 
 /// Way with costs between two passable cells; empty when there is none.
-[[nodiscard]] NodeWay way_between(const FineGround& ground, const TravelGraph& graph, PathCell from, PathCell to);
+[[nodiscard]] NodeWay way_between(const FineGround& ground, const TravelGraph& graph, const TrailNetwork* trails, PathCell from, PathCell to);
 
 /// Turns a draft into a plan with a timed way, and its course. A draft whose ways do not exist or do not fit into a day stays at home.
 [[nodiscard]] std::pair<DailyPlan, HerdCourse> walk_day(const PlanInput& input, const DayDraft& draft, const NodeWays& ways);

@@ -113,7 +113,7 @@ class DayWriter {
     constexpr std::uint64_t most_tries = 160;
     for (std::uint64_t i = 0; i < most_tries; ++i) {
       const auto unit = [&](std::uint64_t what) {
-        return random_unit({input_.seed, std::uint64_t(input_.level.level), std::uint64_t(draft_.herd), stop, i, what});
+        return random_unit({input_.keys[std::size_t(draft_.herd)], stop, i, what});
       };
       const double angle = 2 * 3.14159265358979 * unit(11);
       const double distance = range * std::sqrt(unit(12));

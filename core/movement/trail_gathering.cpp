@@ -7,6 +7,9 @@ namespace biotope {
 namespace {
 
 constexpr double worn_quantile = 0.3;
+/// Sources that walk before the others, and that walk in the end, at most: where there are more, some stand for all. Our choice.
+constexpr std::size_t most_leaders = 48;
+constexpr std::size_t most_sources = 144;
 
 double quantile_of_positive(const std::vector<double>& weight, double quantile) {
   std::vector<double> positive;
@@ -23,6 +26,20 @@ std::vector<std::uint16_t> stays_of(const TravelGraph& graph, std::span<const Wa
   return stays;
 }
 
+/// The sources that send most, and of the others evenly so many as are allowed, each for several.
+std::vector<WalkSource> sampled(std::vector<WalkSource> sources) {
+  if (sources.size() <= most_sources) return sources;
+  constexpr std::size_t sure = most_sources / 2;
+  constexpr std::size_t drawn = most_sources - sure;
+  const std::size_t others = sources.size() - sure;
+  std::vector<WalkSource> result(sources.begin(), sources.begin() + sure);
+  for (std::size_t i = 0; i < drawn; ++i) {
+    result.push_back(std::move(sources[sure + (2 * i + 1) * others / (2 * drawn)]));
+    result.back().stands_for = double(others) / double(drawn);
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<float> worn_share(const std::vector<double>& weight) {
@@ -36,31 +53,37 @@ std::vector<float> worn_share(const std::vector<double>& weight) {
 
 std::vector<double> walked_weight(const TravelGraph& graph, std::span<const float> cost, std::span<const Walkers> walkers) {
   const std::vector<WalkSource> sources = walk_sources(walkers);
-  std::vector<double> weight(graph.edge_count, 0.0);
-  add_walks(graph, cost, walkers, sources, stays_of(graph, sources), weight);
-  return weight;
+  const std::vector<std::uint16_t> stays = stays_of(graph, sources);
+  WalkSum sum(graph, cost, walkers, stays);
+  sum.add(sources);
+  return sum.weight();
 }
 
-std::vector<double> gathered_weight(const TravelGraph& graph, std::span<const float> cost, std::span<const Walkers> walkers) {
+GatheredWalks gather_walks(const TravelGraph& graph, std::vector<float> cost, std::span<const Walkers> walkers) {
   std::vector<WalkSource> sources = walk_sources(walkers);
   const std::vector<std::uint16_t> stays = stays_of(graph, sources);
   std::stable_sort(sources.begin(), sources.end(), [](const WalkSource& a, const WalkSource& b) { return a.yearly > b.yearly; });
-  std::vector<float> worn_cost(cost.begin(), cost.end());
-  std::vector<double> weight(graph.edge_count, 0.0);
+  GatheredWalks gathered{{}, cost};
+  WalkSum sum(graph, gathered.worn_cost, walkers, stays);
   const auto wear = [&] {
-    const std::vector<float> share = worn_share(weight);
-    for (std::size_t slot = 0; slot < worn_cost.size(); ++slot) worn_cost[slot] = cost[slot] * (1 - (1 - worn_factor) * share[graph.edge[slot]]);
+    gathered.weight = sum.weight();
+    const std::vector<float> share = worn_share(gathered.weight);
+    for (std::size_t slot = 0; slot < cost.size(); ++slot) {
+      gathered.worn_cost[slot] = cost[slot] * (1 - (1 - worn_factor) * share[graph.edge[slot]]);
+    }
   };
   // One source, then as many as have walked: the first ways decide where trails run. A quarter of them is enough to show where.
-  for (std::size_t first = 0; first * 4 < sources.size();) {
+  const std::size_t leaders = std::min(most_leaders, (sources.size() + 3) / 4);
+  for (std::size_t first = 0; first < leaders;) {
     const std::size_t count = std::min(sources.size() - first, std::max<std::size_t>(1, first));
-    add_walks(graph, worn_cost, walkers, std::span(sources).subspan(first, count), stays, weight);
+    sum.add(std::span(sources).subspan(first, count));
     wear();
     first += count;
   }
-  std::fill(weight.begin(), weight.end(), 0.0);
-  add_walks(graph, worn_cost, walkers, sources, stays, weight);
-  return weight;
+  sum.clear();
+  sum.add(sampled(std::move(sources)));
+  wear();
+  return gathered;
 }
 
 }  // namespace biotope

@@ -5,17 +5,18 @@
 namespace biotope {
 namespace {
 
-/// Rounds of rounding corners; each moves a point halfway to the middle of its neighbours. Our choice: blurs over about three steps each side.
-constexpr int rounds = 16;
+/// Rounds of rounding corners; each moves a point halfway to the middle of its neighbours. Our choice: blurs over two to three steps each side.
+constexpr int rounds = 10;
 /// Points of the rounded path from one control point of the spline to the next.
 constexpr std::size_t spacing = 3;
 
 PathPoint mix(PathPoint a, PathPoint b, float t) { return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t}; }
 
 /// Moves points only where both lines to their neighbours stay clear: what held for the cells holds for the line.
-void round_corners(const FineGround& ground, std::vector<PathPoint>& points) {
+void round_corners(const FineGround& ground, std::span<const std::uint8_t> fixed, std::vector<PathPoint>& points) {
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+      if (!fixed.empty() && fixed[i]) continue;
       const PathPoint moved = mix(points[i], mix(points[i - 1], points[i + 1], 0.5F), 0.5F);
       if (ground.clear(points[i - 1], moved) && ground.clear(moved, points[i + 1])) points[i] = moved;
     }
@@ -60,9 +61,14 @@ std::vector<PathPoint> points_of(std::span<const PathCell> cells) {
   return points;
 }
 
+void round_path(const FineGround& ground, std::span<const std::uint8_t> fixed, std::vector<PathPoint>& points) {
+  assert(fixed.size() == points.size());
+  round_corners(ground, fixed, points);
+}
+
 std::vector<PathPoint> smooth_path(const FineGround& ground, std::vector<PathPoint> points) {
   if (points.size() < 3) return points;
-  round_corners(ground, points);
+  round_corners(ground, {}, points);
   std::vector<std::size_t> controls;
   for (std::size_t i = 0; i < points.size(); i += spacing) controls.push_back(i);
   if (points.size() - 1 - controls.back() > 0) {

@@ -70,7 +70,7 @@ class TreeSum {
       : graph_(graph), search_(search), carried_(graph.vertices.size(), 0.0), children_(graph.vertices.size(), 0), seen_(graph.vertices.size(), 0) {}
 
   /// What one species carries away from `source` (eqs. 2 and 3) to each of its stays.
-  void carry(std::uint32_t source, const Walkers& walkers) {
+  void carry(std::uint32_t source, const Walkers& walkers, double times) {
     onward_.clear();
     double all = 0;
     for (const auto& stay : walkers.stays) {
@@ -85,7 +85,7 @@ class TreeSum {
     }
     for (std::size_t i = 0; i < onward_.size(); ++i) {
       const std::uint32_t to = walkers.stays[i].vertex;
-      if (to != source && onward_[i] >= faint_share * all) reach(to, walkers.yearly * leaving * onward_[i]);
+      if (to != source && onward_[i] >= faint_share * all) reach(to, times * walkers.yearly * leaving * onward_[i]);
     }
   }
 
@@ -178,24 +178,45 @@ std::vector<WalkSource> walk_sources(std::span<const Walkers> walkers) {
   return sources;
 }
 
-void add_walks(const TravelGraph& graph, std::span<const float> cost, std::span<const Walkers> walkers, std::span<const WalkSource> sources,
-               std::span<const std::uint16_t> stays, std::vector<double>& weight) {
+/// One of the sums that run side by side.
+struct WalkSum::Part {
+  Part(const TravelGraph& graph, std::span<const float> cost) : search(graph, cost), tree(graph, search), weight(graph.edge_count, 0.0) {}
+
+  TravelSearch search;
+  TreeSum tree;
+  std::vector<double> weight;
+};
+
+WalkSum::WalkSum(const TravelGraph& graph, std::span<const float> cost, std::span<const Walkers> walkers, std::span<const std::uint16_t> stays)
+    : graph_(graph), cost_(cost), walkers_(walkers), stays_(stays) {}
+WalkSum::~WalkSum() = default;
+
+void WalkSum::add(std::span<const WalkSource> sources) {
   // A number of sums that depends on the sources only, added in order: the result does not depend on threads.
-  const std::size_t parts = std::min<std::size_t>(sources.size(), 16);
-  std::vector<std::vector<double>> part_weight(parts);
-  parallel_each(parts, [&](std::size_t part) {
-    part_weight[part].assign(graph.edge_count, 0.0);
-    TravelSearch search(graph, cost);
-    TreeSum tree(graph, search);
-    for (std::size_t i = part; i < sources.size(); i += parts) {
-      search.run(sources[i].vertex, stays, searched_nodes);
-      for (const std::size_t w : sources[i].walkers) tree.carry(sources[i].vertex, walkers[w]);
-      tree.add_to(part_weight[part]);
+  constexpr std::size_t most_parts = 8;
+  const std::size_t count = std::min(sources.size(), most_parts);
+  parts_.resize(std::max(parts_.size(), count));
+  parallel_each(count, [&](std::size_t number) {
+    auto& part = parts_[number];
+    if (!part) part = std::make_unique<Part>(graph_, cost_);
+    for (std::size_t i = number; i < sources.size(); i += count) {
+      part->search.run(sources[i].vertex, stays_, searched_nodes);
+      for (const std::size_t w : sources[i].walkers) part->tree.carry(sources[i].vertex, walkers_[w], sources[i].stands_for);
+      part->tree.add_to(part->weight);
     }
   });
-  for (const auto& part : part_weight) {
-    for (std::size_t e = 0; e < weight.size(); ++e) weight[e] += part[e];
+}
+
+std::vector<double> WalkSum::weight() const {
+  std::vector<double> sum(graph_.edge_count, 0.0);
+  for (const auto& part : parts_) {
+    for (std::size_t e = 0; e < sum.size(); ++e) sum[e] += part->weight[e];
   }
+  return sum;
+}
+
+void WalkSum::clear() {
+  for (const auto& part : parts_) std::fill(part->weight.begin(), part->weight.end(), 0.0);
 }
 
 }  // namespace biotope

@@ -27,6 +27,9 @@ struct TrailRoute {
   double length = 0;  ///< m
 };
 
+struct TrailWays;
+class MovementCache;
+
 /// Trails of all species together, and what they do to the ground.
 struct TrailNetwork {
   std::vector<TrailRoute> routes;
@@ -34,6 +37,8 @@ struct TrailNetwork {
   Grid<float> wear;
   /// Metres the ground is carved, >= 0; a derived map, the terrain itself is never changed.
   Grid<float> carving;
+  /// What daily plans need to walk on the trails (core/movement/trail_ways.hpp); null when nothing was computed.
+  std::shared_ptr<const TrailWays> ways;
   double total_length() const {
     double sum = 0;
     for (const auto& route : routes) sum += route.length;
@@ -74,13 +79,14 @@ struct LevelMovement {
   /// Most probable onward edges, by species, node of departure, then node of arrival.
   std::vector<SpatialEdge> edges;
 };
+/// A cache (may be null) makes it faster, never different.
 [[nodiscard]] Result<LevelMovement> compute_level_movement(const FoodWeb& web, const AnimalLevel& level, const Ground& ground,
-                                                           const TaskContext& context = {});
+                                                           const TaskContext& context = {}, MovementCache* cache = nullptr);
 
 /// Trails worn by all levels (paper section 6.1, eqs. 1-3): weights accumulate on shared ground, routes are taken from the most used outwards,
 /// refined on the full grid and smoothed by splines that never enter a cell blocked for the species that walk there.
 [[nodiscard]] Result<TrailNetwork> compute_trails(const FoodWeb& web, std::span<const std::shared_ptr<const AnimalLevel>> levels,
                                                   std::span<const LevelMovement> movement, const Ground& ground,
-                                                  const TaskContext& context = {});
+                                                  const TaskContext& context = {}, MovementCache* cache = nullptr);
 
 }  // namespace biotope

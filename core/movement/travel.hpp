@@ -33,11 +33,13 @@ struct TravelGraph {
   /// Number of the undirected edge of each directed one: both directions of a pair share it, 0 .. edge_count - 1.
   std::vector<std::uint32_t> edge;
   std::uint32_t edge_count = 0;
+  float mean_cost = 0;
+  float longest_cost = 0;
   /// Vertex of each cell, -1 where blocked.
   Grid<std::int32_t> vertex_of_cell;
 };
 
-/// Side of a block (cells) that suits a landscape: about 96 blocks along the longer side, at least one cell each. Our choice: fine enough for
+/// Side of a block (cells) that suits a landscape: about 80 blocks along the longer side, at least one cell each. Our choice: fine enough for
 /// trails to be told apart, coarse enough that a search from every resource takes less than a millisecond.
 [[nodiscard]] int travel_block(int width, int height);
 

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <bit>
+#include <cassert>
 
 #include "core/movement/travel_search.hpp"
 
@@ -8,72 +10,65 @@ constexpr float unreached = std::numeric_limits<float>::infinity();
 }
 
 TravelSearch::TravelSearch(const TravelGraph& graph, std::span<const float> cost)
-    : graph_(graph),
-      edge_cost_(cost),
-      best_(graph.vertices.size(), unreached),
-      relaxed_(graph.vertices.size(), unreached),
-      parent_(graph.vertices.size(), -1),
-      parent_slot_(graph.vertices.size(), 0) {
-  double sum = 0;
-  float longest = 1;
-  for (const float c : cost) {
-    sum += c;
-    longest = std::max(longest, c);
-  }
+    : graph_(graph), edge_cost_(cost), vertices_(graph.vertices.size()) {
+  assert(cost.size() == graph.cost.size());
+  const float longest = std::max(1.0F, graph.longest_cost * highest_cost_factor);
   // Half a mean edge a bucket; enough buckets for the longest edge, so that a circle of them never overlaps.
-  width_ = cost.empty() ? 1.0F : std::max(float(0.5 * sum / double(cost.size())), longest / 4096);
-  buckets_.resize(std::size_t(longest / width_) + 3);
+  width_ = std::max({0.5F * graph.mean_cost, longest / 4096, 1e-3F});
+  per_width_ = 1 / width_;
+  buckets_.resize(std::bit_ceil(std::size_t(longest / width_) + 3));
+  bucket_mask_ = std::uint32_t(buckets_.size() - 1);
 }
 
 void TravelSearch::reset() {
-  for (const std::uint32_t vertex : touched_) {
-    best_[vertex] = unreached;
-    relaxed_[vertex] = unreached;
-    parent_[vertex] = -1;
-  }
+  for (const std::uint32_t vertex : touched_) vertices_[vertex] = {};
   touched_.clear();
-  for (auto& bucket : buckets_) bucket.clear();
+  if (queued_ > 0) {
+    for (auto& bucket : buckets_) bucket.clear();
+  }
   queued_ = 0;
   current_ = 0;
 }
 
 void TravelSearch::relax(std::uint32_t vertex) {
-  const float here = best_[vertex];
-  for (std::uint32_t slot = graph_.first_edge[vertex]; slot < graph_.first_edge[vertex + 1]; ++slot) {
+  const float here = vertices_[vertex].best;
+  const std::uint32_t last = graph_.first_edge[vertex + 1];
+  for (std::uint32_t slot = graph_.first_edge[vertex]; slot < last; ++slot) {
     const std::uint32_t to = graph_.target[slot];
     const float there = here + edge_cost_[slot];
-    if (there > best_[to]) continue;
-    if (there == best_[to]) {
-      if (parent_[to] > std::int32_t(vertex)) {
-        parent_[to] = std::int32_t(vertex);
-        parent_slot_[to] = slot;
+    Vertex& other = vertices_[to];
+    if (there > other.best) continue;
+    if (there == other.best) {
+      if (other.parent > std::int32_t(vertex)) {
+        other.parent = std::int32_t(vertex);
+        other.parent_slot = slot;
       }
       continue;
     }
-    if (best_[to] == unreached) touched_.push_back(to);
-    best_[to] = there;
-    parent_[to] = std::int32_t(vertex);
-    parent_slot_[to] = slot;
-    buckets_[std::size_t(there / width_) % buckets_.size()].push_back(to);
+    if (other.best == unreached) touched_.push_back(to);
+    other.best = there;
+    other.parent = std::int32_t(vertex);
+    other.parent_slot = slot;
+    buckets_[bucket_of(there) & bucket_mask_].push_back(to);
     ++queued_;
   }
 }
 
 void TravelSearch::run(std::uint32_t source, std::span<const std::uint16_t> counts, std::uint32_t wanted) {
   reset();
-  best_[source] = 0;
+  vertices_[source].best = 0;
   touched_.push_back(source);
   buckets_[0].push_back(source);
   queued_ = 1;
   std::uint32_t counted = 0;
   while (queued_ > 0) {
-    auto& bucket = buckets_[current_ % buckets_.size()];
+    auto& bucket = buckets_[current_ & bucket_mask_];
     for (std::size_t i = 0; i < bucket.size(); ++i) {
-      const std::uint32_t vertex = bucket[i];
-      if (relaxed_[vertex] == best_[vertex]) continue;
-      if (!counts.empty() && relaxed_[vertex] == unreached) counted += counts[vertex];
-      relaxed_[vertex] = best_[vertex];
-      relax(vertex);
+      Vertex& vertex = vertices_[bucket[i]];
+      if (vertex.relaxed == vertex.best) continue;
+      if (!counts.empty() && vertex.relaxed == unreached) counted += counts[bucket[i]];
+      vertex.relaxed = vertex.best;
+      relax(bucket[i]);
     }
     queued_ -= bucket.size();
     bucket.clear();

@@ -237,6 +237,12 @@ class Builder {
         ++number;
       }
     }
+    double sum = 0;
+    for (const float cost : graph_.cost) {
+      sum += cost;
+      graph_.longest_cost = std::max(graph_.longest_cost, cost);
+    }
+    if (!graph_.cost.empty()) graph_.mean_cost = float(sum / double(graph_.cost.size()));
   }
 
   const Ground& ground_;
@@ -249,7 +255,7 @@ class Builder {
 }  // namespace
 
 int travel_block(int width, int height) {
-  constexpr int blocks = 96;
+  constexpr int blocks = 80;
   return std::max(1, (std::max(width, height) + blocks / 2) / blocks);
 }
 

@@ -9,11 +9,15 @@
 
 namespace biotope {
 
+/// Costs that replace a graph's own are at most this many times those.
+inline constexpr float highest_cost_factor = 1.25F;
+
 /// Repeated one-to-many searches on one graph that reuse their memory. A circular bucket queue; vertices of the bucket at hand are relaxed until none
 /// improves, so costs are exact; of equally good parents the one with the smaller number is kept.
 class TravelSearch {
  public:
-  /// `cost` replaces the graph's own costs (one a directed edge); both must outlive the search.
+  /// `cost` replaces the graph's own costs (one a directed edge, at most highest_cost_factor times the own one); both must outlive the search, but
+  /// may change between runs.
   TravelSearch(const TravelGraph& graph, std::span<const float> cost);
 
   /// Searches from `source`. When `counts` is given (a number a vertex), stops once vertices with `wanted` counts in sum are settled.
@@ -21,30 +25,37 @@ class TravelSearch {
 
   /// Cost of a vertex, infinity where it was not settled or cannot be reached.
   [[nodiscard]] float cost(std::uint32_t vertex) const {
-    const bool settled = complete_ || std::size_t(best_[vertex] / width_) < current_;
-    return settled ? best_[vertex] : std::numeric_limits<float>::infinity();
+    const float best = vertices_[vertex].best;
+    return complete_ || (best < std::numeric_limits<float>::max() && bucket_of(best) < current_) ? best : std::numeric_limits<float>::infinity();
   }
-  [[nodiscard]] std::int32_t parent(std::uint32_t vertex) const { return parent_[vertex]; }
+  [[nodiscard]] std::int32_t parent(std::uint32_t vertex) const { return vertices_[vertex].parent; }
   /// The directed edge from its parent to a vertex.
-  [[nodiscard]] std::uint32_t parent_slot(std::uint32_t vertex) const { return parent_slot_[vertex]; }
+  [[nodiscard]] std::uint32_t parent_slot(std::uint32_t vertex) const { return vertices_[vertex].parent_slot; }
 
  private:
+  struct Vertex {
+    float best = std::numeric_limits<float>::infinity();
+    /// Cost it was last relaxed with.
+    float relaxed = std::numeric_limits<float>::infinity();
+    std::int32_t parent = -1;
+    std::uint32_t parent_slot = 0;
+  };
+
+  [[nodiscard]] std::uint32_t bucket_of(float cost) const { return std::uint32_t(cost * per_width_); }
   void reset();
   void relax(std::uint32_t vertex);
 
   const TravelGraph& graph_;
   std::span<const float> edge_cost_;
   float width_ = 1;
+  float per_width_ = 1;
   /// Everything reachable is settled; else what lies in buckets before the current one.
   bool complete_ = false;
-  std::size_t current_ = 0;
+  std::uint32_t current_ = 0;
   std::size_t queued_ = 0;
+  std::uint32_t bucket_mask_ = 0;
   std::vector<std::vector<std::uint32_t>> buckets_;
-  std::vector<float> best_;
-  /// Cost a vertex was last relaxed with.
-  std::vector<float> relaxed_;
-  std::vector<std::int32_t> parent_;
-  std::vector<std::uint32_t> parent_slot_;
+  std::vector<Vertex> vertices_;
   std::vector<std::uint32_t> touched_;
 };
 

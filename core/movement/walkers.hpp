@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -13,7 +14,7 @@ inline constexpr float shortest_walk = 60;
 
 /// A search from a resource ends once this many resources are reached: beyond, the inverse travel time of eq. 2 leaves next to nothing, and
 /// the work grows with the number of resources only. Our choice.
-inline constexpr std::uint32_t searched_nodes = 96;
+inline constexpr std::uint32_t searched_nodes = 64;
 
 /// All animals of one species in one region, as they wear the ground.
 struct Walkers {
@@ -40,20 +41,44 @@ struct WalkSource {
   std::vector<std::size_t> walkers;
   /// kg x trips per year that set out.
   double yearly = 0;
+  /// So many like it; their walks are laid on its ways.
+  double stands_for = 1;
 };
 [[nodiscard]] std::vector<WalkSource> walk_sources(std::span<const Walkers> walkers);
 
-/// Adds to `weight` (by undirected edge) what the walks from some sources leave (eq. 3) when they take the cheapest ways under `cost` to the
-/// stays marked 1 in `stays` (by vertex). The same for any number of threads.
-void add_walks(const TravelGraph& graph, std::span<const float> cost, std::span<const Walkers> walkers, std::span<const WalkSource> sources,
-               std::span<const std::uint16_t> stays, std::vector<double>& weight);
+/// Sums what walks leave on the undirected edges of a graph (eq. 3) when they take the cheapest ways under `cost` to the stays marked 1 in `stays`
+/// (by vertex). The same for any number of threads. What is passed in must outlive it; costs may change between calls.
+class WalkSum {
+ public:
+  WalkSum(const TravelGraph& graph, std::span<const float> cost, std::span<const Walkers> walkers, std::span<const std::uint16_t> stays);
+  ~WalkSum();
+
+  /// Adds the walks from some sources.
+  void add(std::span<const WalkSource> sources);
+  /// By undirected edge.
+  [[nodiscard]] std::vector<double> weight() const;
+  void clear();
+
+ private:
+  struct Part;
+  const TravelGraph& graph_;
+  std::span<const float> cost_;
+  std::span<const Walkers> walkers_;
+  std::span<const std::uint16_t> stays_;
+  std::vector<std::unique_ptr<Part>> parts_;
+};
 
 /// Weight (eq. 3) of every undirected edge when all walkers take the cheapest ways under `cost`.
 [[nodiscard]] std::vector<double> walked_weight(const TravelGraph& graph, std::span<const float> cost, std::span<const Walkers> walkers);
 
+/// Weights, and the costs of directed edges once they are worn.
+struct GatheredWalks {
+  std::vector<double> weight;
+  std::vector<float> worn_cost;
+};
 /// The same when walks are drawn to worn ground: a quarter of the sources, those that send most, walk first, and what they have worn costs
-/// the next less, so that ways gather to trails; then all walk on what was worn in the end.
-[[nodiscard]] std::vector<double> gathered_weight(const TravelGraph& graph, std::span<const float> cost, std::span<const Walkers> walkers);
+/// the next less, so that ways gather to trails; then all walk on what was worn in the end. Where there are very many sources some stand for all.
+[[nodiscard]] GatheredWalks gather_walks(const TravelGraph& graph, std::vector<float> cost, std::span<const Walkers> walkers);
 
 /// How worn edges are by their weight, 0..1: half at the 30 % quantile of the walked edges. Our choice.
 [[nodiscard]] std::vector<float> worn_share(const std::vector<double>& weight);

@@ -106,6 +106,7 @@ Status Run::species() {
     stages_.biology = std::make_shared<const FoodWeb>(std::move(biology));
     stages_.plants = {};
     stages_.covers.clear();
+    stages_.levels.clear();
   }
   biology_ = stages_.biology;
   return {};
@@ -184,7 +185,7 @@ Status Run::plants() {
 
 Status Run::animal_level(std::size_t index) {
   const int number = int(index) + 1;
-  AnimalLevelInput input{*maps_->web, number, maps_->ground(), maps_->cover, maps_->animals, desired(number), {}, document_.seed};
+  AnimalLevelInput input{*maps_->web, number, maps_->ground(), maps_->cover, maps_->animals, desired(number), {}, document_.seed, stages_.levels[index].value};
   InputPointers inputs = level_pointers();
   inputs.insert(inputs.end(), maps_->cover.begin(), maps_->cover.end());
   for (const int s : maps_->web->levels[index + 1]) {
@@ -228,7 +229,7 @@ Status Run::travel() {
     context_.report("travel", double(i) / double(maps_->animals.size()));
     const InputPointers inputs{biology_, maps_->animals[i], document_.terrain, maps_->derivatives, maps_->hydrology, maps_->tree_cover};
     auto movement = stages_.movement[i].get(inputs, [&] {
-      return compute_level_movement(*maps_->web, *maps_->animals[i], maps_->ground(), context_);
+      return compute_level_movement(*maps_->web, *maps_->animals[i], maps_->ground(), context_, &stages_.travelled);
     });
     if (!movement) return tl::unexpected<Error>(movement.error());
     maps_->movement.push_back(**movement);
@@ -242,15 +243,16 @@ Status Run::trails() {
   InputPointers inputs = level_pointers();
   inputs.push_back(maps_->graph);
   return keep(maps_->trails, stages_.trails.get(inputs, [&] {
-    return compute_trails(*maps_->web, maps_->animals, maps_->movement, maps_->ground(), context_);
+    return compute_trails(*maps_->web, maps_->animals, maps_->movement, maps_->ground(), context_, &stages_.travelled);
   }));
 }
 
 Status Run::daily_plans() {
   InputPointers inputs = level_pointers();
   inputs.push_back(maps_->graph);
+  inputs.push_back(maps_->trails);
   return keep(maps_->plans, stages_.plans.get({inputs, document_.seed}, [&] {
-    return compute_daily_plans(*maps_->web, maps_->animals, maps_->movement, maps_->ground(), document_.seed, context_);
+    return compute_daily_plans(*maps_->web, maps_->animals, maps_->movement, maps_->ground(), document_.seed, context_, maps_->trails.get());
   }));
 }
 

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <vector>
 
+#include "core/movement/movement_cache.hpp"
 #include "core/pipeline/memo.hpp"
 #include "core/pipeline/solve.hpp"
 
@@ -50,6 +51,8 @@ struct SolveCache::Stages {
   Memo<InputPointers, ResourceAccessGraph> graph;
   Memo<InputPointers, TrailNetwork> trails;
   Memo<std::tuple<InputPointers, std::uint64_t>, std::vector<DailyPlan>> plans;
+  /// What travel and trails found before and may need again.
+  MovementCache travelled;
 };
 
 /// Brings a plant stage up to date: everything when its environment or species changed, else only the tiles whose paint did.

@@ -13,7 +13,7 @@ namespace biotope {
 /// 1 on cells below `sea_level` that connect (8 neighbours) to a border cell below it; empty when no border cell is.
 [[nodiscard]] Grid<std::uint8_t> find_sea(const Grid<float>& height, float sea_level);
 
-/// 1 on the border cells through which rivers enter, over their width and a little beside it: no water leaves the map there, or a hollow
+/// 1 on the border cells through which rivers enter, and some of their widths to either side: no water leaves the map there, or a hollow
 /// of the border would swallow the river where it comes in. Empty when no river enters on the border, or when they take all of it.
 [[nodiscard]] Grid<std::uint8_t> find_inlets(const Terrain& terrain, const HydrologyOptions& options);
 

@@ -6,8 +6,10 @@
 namespace biotope {
 namespace {
 
-/// Border cells on either side of a river's water that it keeps closed as well. Our choice: the noise of a DEM is one or two cells wide.
-constexpr int beside_water = 2;
+/// A river's entry closes the border this many of its widths to either side. Our choice: about the belt in which it winds.
+constexpr float widths_beside = 5;
+/// ... and at least this many cells: the noise of a DEM is one or two cells wide. Our choice.
+constexpr int least_beside = 2;
 
 bool on_border(const Grid<float>& height, int x, int y) {
   return x == 0 || y == 0 || x == height.width() - 1 || y == height.height() - 1;
@@ -23,7 +25,7 @@ Grid<std::uint8_t> find_inlets(const Terrain& terrain, const HydrologyOptions& o
     if (!on_border(height, inflow.x, inflow.y)) continue;
     if (inlets.empty()) inlets = Grid<std::uint8_t>(height.width(), height.height());
     const float water = river_width(mean_discharge(inflow.catchment_area, options.runoff));
-    const int reach = beside_water + int(double(water) / 2 / terrain.cell_size);
+    const int reach = std::max(least_beside, int(double(widths_beside * water) / terrain.cell_size));
     const Rect beside = intersection({inflow.x - reach, inflow.y - reach, inflow.x + reach + 1, inflow.y + reach + 1}, height.rect());
     for (int y = beside.y0; y < beside.y1; ++y) {
       for (int x = beside.x0; x < beside.x1; ++x) {

@@ -12,8 +12,8 @@ namespace biotope {
 struct Georeference {
   /// Coordinate reference system as WKT; empty when the file had none.
   std::string wkt;
-  /// GDAL's affine transform from (column, row) to metres: x = t0 + c t1 + r t2, y = t3 + c t4 + r t5.
-  /// Without a file it puts the south-west corner at (0, 0).
+  /// GDAL's affine transform from (column, row) to the units of the CRS (metres or feet; metres without a CRS): x = t0 + c t1 + r t2,
+  /// y = t3 + c t4 + r t5. Without a file it puts the south-west corner at (0, 0). The model computes with Terrain::cell_size only.
   std::array<double, 6> transform{0, 1, 0, 0, 0, -1};
 };
 
@@ -23,7 +23,7 @@ struct Terrain {
   Grid<float> height;
   /// 1 where the source had no data and the height was filled in; empty when there was none.
   Grid<std::uint8_t> voids;
-  /// Side of a cell, metres.
+  /// Side of a cell: always metres, whatever the unit of the CRS.
   double cell_size = 1.0;
   /// Degrees north of the centre; drives the sun.
   double latitude = 42.85;

@@ -4,7 +4,7 @@
 vec3 sky_colour(vec3 direction) {
   float height = max(direction.z, 0.0);
   float low = exp(-height * 5.5);
-  vec3 colour = mix(frame.zenith.rgb, frame.horizon.rgb, low);
+  vec3 colour = mix(frame.zenith.rgb * 1.15, frame.horizon.rgb * 1.3, low);
   // A whitish veil right at the horizon, and the warm glow on the sun's side when it is low.
   float toward = max(dot(direction, frame.sun_direction.xyz), 0.0);
   float sun_low = 1.0 - smoothstep(0.05, 0.5, abs(frame.sun_direction.z));

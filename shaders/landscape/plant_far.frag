@@ -16,7 +16,7 @@ void main() {
   vec4 base = texture(pictures, picture);
   vec2 across = fwidth(picture.xy) * picture_side;
   float level = max(0.0, log2(max(across.x, across.y)));
-  if (base.a * (1.0 + 0.22 * level) < 0.5) discard;
+  if (base.a * (1.0 + 0.14 * level) < 0.5) discard;
   vec4 surface = texture(surfaces, picture);
   vec3 normal = normalize(surface.xyz / max(base.a, 0.05) * 2.0 - 1.0);
   float open = surface.a / max(base.a, 0.05);

@@ -16,7 +16,7 @@ void main() {
   // Mipmaps thin out what they average: keep cards as dense from afar as they are from near.
   vec2 across = fwidth(card.xy) * 128.0;
   float level = max(0.0, log2(max(across.x, across.y)));
-  if (leaf.a * (1.0 + 0.28 * level) < 0.5) discard;
+  if (leaf.a * (1.0 + 0.14 * level) < 0.5) discard;
   vec3 base = mix(mix(leaf_colour, flower_colour, leaf.g), wood_colour, leaf.b);
   vec3 lit = base * tone * light * (2.0 * leaf.r / max(leaf.a, 0.2));
   colour = vec4(to_screen(mix(lit, veil.rgb, veil.a)), 1.0);

@@ -10,7 +10,10 @@ layout(location = 3) in vec4 material;  // picture, open, fall, leaf
 layout(location = 4) in vec4 stands;    // foot, scale
 layout(location = 5) in vec4 own;       // turn, tint, rank, plant
 layout(binding = 6) uniform sampler2D sunlit;
+layout(binding = 7) uniform sampler2D canopy_shade;
+uniform float under_crowns;  // 1 for what grows in the shade of others
 uniform float bare;
+uniform float bloom;
 out vec3 card;
 out vec3 light;
 out vec3 tone;
@@ -25,12 +28,16 @@ void main() {
   vec3 upward = vec3(turned * normal.xy, normal.z);
   vec3 view = normalize(offset);
   float sun = textureLod(sunlit, ground_uv(stands.xy), 0.0).r;
+  if (under_crowns > 0.5 && frame.shade_area.w > 0.0) {
+    vec2 shaded = (stands.xy - frame.shade_area.xy) / frame.shade_area.z;
+    sun *= 1.0 - frame.shade_area.w * textureLod(canopy_shade, shaded, 0.0).r;
+  }
   light = foliage_light(upward, view, material.y, sun);
   tone = material.w > 0.5 ? own_tone(own.y) : vec3(0.8 + 0.4 * own.y);
   card = vec3(card_uv, material.x);
   float amount = haze(offset);
   veil = vec4(apply_haze(vec3(0.0), offset, 1.0), amount);
   gl_Position = frame.view_projection * vec4(offset, 1.0);
-  // Fallen leaves are not drawn.
-  if (material.z < bare) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+  // Fallen leaves are not drawn, nor flowers (picture 7) that are not out.
+  if (material.z < bare || (material.x > 6.5 && fract(own.y * 13.7) >= bloom)) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 }

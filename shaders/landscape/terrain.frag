@@ -31,25 +31,28 @@ float shade_of_crowns() {
 
 vec3 water(vec3 bed, vec3 ground_normal, float inside, float light_share, float to_eye) {
   vec3 view = offset / to_eye;
-  float near = exp(-to_eye * 0.004);
-  vec2 wave = (texture(detail, place * 0.031 + 0.3).rg - 0.5) * 0.35 + (texture(detail, place.yx * 0.087).rg - 0.5) * 0.5 * near;
+  float near = exp(-to_eye * 0.006);
+  // Ripples on three scales; the small ones are lost with distance and leave a broader glitter.
+  vec2 wave = (texture(detail, place * 0.031 + 0.3).rg - 0.5) * 0.30 + (texture(detail, place.yx * 0.087).rg - 0.5) * 0.45 +
+              (texture(detail, place * 0.29 + 0.7).rg - 0.5) * 0.55 * near;
   float steep = 1.0 - ground_normal.z;
   vec3 up = normalize(mix(vec3(0.0, 0.0, 1.0), ground_normal, 0.35));
-  vec3 normal = normalize(up + vec3(wave * (0.10 + 0.12 * near), 0.0));
+  vec3 normal = normalize(up + vec3(wave * (0.07 + 0.10 * near), 0.0));
   float fresnel = 0.02 + 0.98 * pow(1.0 - max(dot(-view, normal), 0.0), 5.0);
   vec3 bounced = reflect(view, normal);
   bounced.z = abs(bounced.z) + 0.02;
   vec3 mirrored = sky_colour(normalize(bounced));
-  // Banks and slopes that a mirror would show near the horizon.
-  mirrored = mix(mirrored, mirrored * vec3(0.34, 0.40, 0.34), exp(-bounced.z * 5.0) * 0.75);
+  // Low rays meet banks and trees before the sky, more so near the shore.
+  float banks = exp(-bounced.z * 7.0) * (0.25 + 0.45 * exp(-max(inside, 0.0) * 0.35));
+  mirrored = mix(mirrored, mirrored * vec3(0.30, 0.36, 0.30), banks);
   float depth = clamp(inside, 0.0, shore_reach) * 0.35;
-  float clear = exp(-depth * 1.15);
+  float clear = exp(-depth * 1.3);
   vec3 light = frame.light_colour.rgb * light_share * max(frame.light_direction.z, 0.0) + frame.ambient_sky.rgb;
-  vec3 body = mix(vec3(0.018, 0.052, 0.055), bed * vec3(0.42, 0.50, 0.44), clear) * light;
+  vec3 body = mix(vec3(0.016, 0.050, 0.050), bed * vec3(0.50, 0.56, 0.46), clear) * light;
   vec3 half_way = normalize(frame.light_direction.xyz - view);
-  float glint = pow(max(dot(half_way, normal), 0.0), 420.0) * 5.0 * light_share;
+  float glint = pow(max(dot(half_way, normal), 0.0), mix(160.0, 500.0, near)) * 4.0 * light_share;
   float foam = smoothstep(0.012, 0.07, steep) * smoothstep(0.42, 0.75, texture(detail, place * 0.19).b + 0.35 * steep);
-  vec3 out_colour = mix(body, mirrored, fresnel) + frame.light_colour.rgb * glint * 0.35;
+  vec3 out_colour = mix(body, mirrored, fresnel) + frame.light_colour.rgb * glint * 0.4;
   return mix(out_colour, light * 0.42, foam * 0.55);
 }
 
@@ -66,10 +69,13 @@ void main() {
   vec4 ground = texture(ground_colours, uv);
   vec3 albedo = ground.rgb * ground.rgb;
   float rock = ground.a;
-  vec4 fine = texture(detail, place * 0.37);
-  vec4 middle = texture(detail, place * 0.043 + 0.13);
+  vec4 fine = texture(detail, place * 0.37, -1.3);
+  vec4 middle = texture(detail, place * 0.043 + 0.13, -0.7);
   float broad = texture(detail, place * 0.0067).a;
   float grain = (fine.b - 0.5) * 0.55 + (middle.b - 0.5) * 0.42 + (middle.a - 0.5) * 0.35 + (broad - 0.5) * 0.35;
+  // Tussocks: what keeps the middle ground from looking smooth.
+  float tussocks = texture(detail, vec2(place.x * 0.8 + place.y * 0.6, place.y * 0.8 - place.x * 0.6) * 0.12, -1.0).b - 0.5;
+  grain += tussocks * 0.75 * exp(-to_eye * 0.008) * (1.0 - rock);
   albedo *= 1.0 + grain;
   albedo *= mix(vec3(1.0), mix(vec3(1.10, 1.0, 0.82), vec3(0.92, 1.02, 1.0), middle.a), 0.55 * (1.0 - rock));
   // Beds of rock show as bands of height.
@@ -83,11 +89,14 @@ void main() {
 
   float open = coded_normal.a;
   vec4 canopy = texture(canopy_colours, uv);
-  float crowns = canopy.a * canopy_range.z * smoothstep(canopy_range.x, canopy_range.y, to_eye);
+  // Seen aslant, crowns hide more of the ground than from above.
+  float aslant = 1.0 + 1.1 * (1.0 - clamp(-offset.z / to_eye, 0.0, 1.0));
+  float crowns = (1.0 - pow(1.0 - min(canopy.a, 0.98), aslant)) * canopy_range.z * smoothstep(canopy_range.x, canopy_range.y, to_eye);
   vec4 clumps = texture(detail, place * 0.021);
   float crown_edge = smoothstep(-0.12, 0.12, crowns - 0.25 - 0.5 * clumps.b * (1.0 - crowns));
   crowns = mix(crowns, crown_edge, 0.55) * step(0.004, crowns);
-  albedo = mix(albedo, canopy.rgb * canopy.rgb * (0.55 + 0.9 * clumps.b), crowns);
+  float stands = 0.62 + 0.5 * texture(detail, place * 0.0031 + 0.4).b + 0.3 * (broad - 0.5);
+  albedo = mix(albedo, canopy.rgb * canopy.rgb * (0.4 + 1.0 * clumps.b) * stands, crowns);
   normal.xy += (clumps.rg - 0.5) * 1.3 * crowns;
   normal = normalize(normal);
 
@@ -102,8 +111,10 @@ void main() {
   float grazing = max(-offset.z / to_eye, 0.12);
   float soft = max(pixel * 0.6, 0.12);
   float wet = smoothstep(-soft, soft, inside + min(0.28 * pixel / grazing, 2.2)) * show.x;
-  // A damp margin before the water.
-  lit *= 1.0 - 0.35 * smoothstep(-2.0, 0.0, inside) * show.x;
+  // Banks: pebbles laid bare by floods, then a damp margin before the water.
+  float pebbles = smoothstep(-4.5, -1.0, inside + 2.4 * (middle.b - 0.5)) * smoothstep(0.0, 0.4, show.x) * (1.0 - smoothstep(30.0, 400.0, to_eye) * 0.6);
+  lit = mix(lit, vec3(0.26, 0.245, 0.21) * (0.65 + 0.7 * fine.b) * light, pebbles * 0.6);
+  lit *= 1.0 - 0.42 * smoothstep(-1.3, 0.0, inside) * show.x;
   if (wet > 0.0) lit = mix(lit, water(albedo, ground_normal, inside, light_share, to_eye), wet);
 
   if (brush.w > 0.0) {

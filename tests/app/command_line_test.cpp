@@ -1,7 +1,8 @@
+#include <unistd.h>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -80,27 +81,35 @@ TEST_CASE("help and version are answers, not errors") {
 
 TEST_CASE("a wrong command line ends with 2 and says what was wrong") {
   const Workplace place;
-  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
-           {"solve", place.dem()},
-           {"solve", "--out", place.at("out")},
-           {"solve", place.dem(), "--out", place.at("out"), "--bogus"},
-           {"solve", place.dem(), "--out", place.at("out"), "--size", "one"},
-           {"solve", place.dem(), "--out", place.at("out"), "--size", "1"},
-           {"solve", place.dem(), "--out", place.at("out"), "--cell-size", "-3"},
-           {"solve", place.dem(), "--out", place.at("out"), "--threads", "0"},
-           {"solve", place.dem(), "--out", place.at("out"), "--maps", "some"},
-           {"solve", place.dem(), "--out", place.at("out"), "--raw", "12:uint16"},
-           {"solve", place.dem(), "--out", place.at("out"), "--crop", "1,2,3"},
-           {"render", place.dem(), "--out", place.at("a.png"), "--size", "1280"},
-           {"render", place.dem(), "--out", place.at("a.png"), "--camera", "1,2,3"},
-           {"render", place.dem(), "--out", place.at("a.png"), "--month", "13"},
-           {"render", place.dem(), "--out", place.at("a.png"), "--hour", "25"},
-           {"info"},
-           {"sample", "valley"}}) {
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"solve", place.dem()},
+                                             {"solve", "--out", place.at("out")},
+                                             {"solve", place.dem(), "--out", place.at("out"), "--bogus"},
+                                             {"solve", place.dem(), "--out", place.at("out"), "--size", "one"},
+                                             {"solve", place.dem(), "--out", place.at("out"), "--size", "1"},
+                                             {"solve", place.dem(), "--out", place.at("out"), "--cell-size", "-3"},
+                                             {"solve", place.dem(), "--out", place.at("out"), "--threads", "0"},
+                                             {"solve", place.dem(), "--out", place.at("out"), "--cell-size", "nan"},
+                                             {"solve", place.dem(), "--out", place.at("out"), "--seed", "-1"},
+                                             {"solve", place.dem(), "--out", place.at("out"), "--seed", "18446744073709551616"},
+                                             {"solve", place.dem(), "--out", place.at("out"), "--climate", ""},
+                                             {"solve", place.dem(), "--out", ""},
+                                             {place.dem(), "solve", place.dem(), "--out", place.at("out")},
+                                             {"--cell-size", "30", "solve", place.dem(), "--out", place.at("out")},
+                                             {"solve", place.dem(), "--out", place.at("out"), "--maps", "some"},
+                                             {"solve", place.dem(), "--out", place.at("out"), "--raw", "12:uint16"},
+                                             {"solve", place.dem(), "--out", place.at("out"), "--crop", "1,2,3"},
+                                             {"render", place.dem(), "--out", place.at("a.png"), "--size", "1280"},
+                                             {"render", place.dem(), "--out", place.at("a.png"), "--camera", "1,2,3"},
+                                             {"render", place.dem(), "--out", place.at("a.png"), "--month", "13"},
+                                             {"render", place.dem(), "--out", place.at("a.png"), "--hour", "25"},
+                                             {"info"},
+                                             {"sample", "valley"}}) {
     INFO(arguments.back());
     const Outcome outcome = run(arguments);
     CHECK(outcome.code == 2);
     CHECK_THAT(outcome.err, StartsWith("biotope: "));
+    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
     CHECK(outcome.out.empty());
   }
   CHECK(place.entries() == 1);
@@ -118,6 +127,9 @@ TEST_CASE("what cannot be done ends with 1, says why and leaves nothing") {
       {{"solve", place.dem(), "--out", place.at("out"), "--environment", place.at("maps"), "--quiet"}, "maps"},
       {{"solve", place.dem(), "--out", place.at("text.tif"), "--quiet"}, "text.tif"},
       {{"solve", place.dem(), "--out", "/proc/nowhere/out", "--quiet"}, "/proc/nowhere"},
+      {{"solve", place.dem(), "--out", place.at("deep/er/out"), "--species", place.at(""), "--quiet"}, "folder"},
+      {{"solve", "sample:valley", "--out", place.at("out"), "--crop", "0,0,9,9", "--quiet"}, "--crop"},
+      {{"render", place.dem(), "--out", place.at("nowhere/a.png"), "--quiet"}, "nowhere"},
       {{"solve", "sample:moon", "--out", place.at("out"), "--quiet"}, "sample"},
       {{"render", place.at("none.tif"), "--out", place.at("a.png"), "--quiet"}, "none.tif"},
       {{"info", place.at("none.biotope")}, "none.biotope"},
@@ -150,10 +162,34 @@ TEST_CASE("solve writes everything, with progress where wanted") {
   CHECK(quiet.err.empty());
 }
 
+TEST_CASE("what was in the folder before stays, but maps of an earlier run go") {
+  const Workplace place;
+  fs::create_directories(place.at("out/maps"));
+  std::ofstream(place.at("out/maps/notes.txt")) << "mine";
+  std::ofstream(place.at("out/maps/density-dodo.tif")) << "of an earlier run";
+  REQUIRE(run({"solve", place.dem(), "--out", place.at("out"), "--size", "24", "--quiet"}).code == 0);
+  CHECK(file_bytes(place.at("out/maps/notes.txt")) == "mine");
+  CHECK_FALSE(fs::exists(place.at("out/maps/density-dodo.tif")));
+  CHECK(fs::exists(place.at("out/maps/density-quercus.tif")));
+}
+
+TEST_CASE("progress names the stages of the pipeline, each once") {
+  const Workplace place;
+  const Outcome shown = run({"solve", place.dem(), "--out", place.at("out"), "--size", "24"});
+  REQUIRE(shown.code == 0);
+  std::string expected;
+  for (const char* stage : {"reading heights", "species", "slopes", "water", "environment", "plants", "animals", "travel",
+                            "trails", "daily plans", "writing maps"}) {
+    expected += std::string("biotope: ") + stage + "\n";
+  }
+  CHECK(shown.err == expected);
+}
+
 TEST_CASE("options of solve reach the result") {
   const Workplace place;
-  REQUIRE(run({"solve", place.dem(), "--out", place.at("out"), "--quiet", "--climate", "alpine", "--seed", "77", "--size",
-               "48", "--cell-size", "20"}).code == 0);
+  REQUIRE(run({"solve", place.dem(), "--out", place.at("out"), "--quiet", "--climate", "alpine", "--seed", "77", "--size", "48",
+               "--cell-size", "20"})
+              .code == 0);
   const auto summary = summary_of(place.at("out"));
   CHECK(summary.at("climate") == "alpine");
   CHECK(summary.at("seed") == 77);
@@ -205,8 +241,8 @@ TEST_CASE("info tells what a DEM is") {
 
 TEST_CASE("render draws a picture of the size asked, without a display") {
   const Workplace place;
-  const Outcome drawn = run({"render", place.dem(), "--out", place.at("a.png"), "--size", "160x90", "--hour", "17",
-                             "--month", "9", "--camera", "-100,-100,400,45,-20", "--quiet"});
+  const Outcome drawn = run({"render", place.dem(), "--out", place.at("a.png"), "--size", "160x90", "--hour", "17", "--month",
+                             "9", "--camera", "-100,-100,400,45,-20", "--quiet"});
   if (drawn.code != 0 && drawn.err.find("EGL") != std::string::npos) {
     WARN("no OpenGL on this machine: " << drawn.err);
     return;

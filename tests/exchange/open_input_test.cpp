@@ -4,6 +4,7 @@
 #include "core/exchange/document_scale.hpp"
 #include "core/exchange/open_input.hpp"
 #include "core/exchange/scene_file.hpp"
+#include "core/species/species_library.hpp"
 #include "tests/exchange/raster_files.hpp"
 #include "tests/exchange/scene_sample.hpp"
 
@@ -147,4 +148,26 @@ TEST_CASE("given maps that do not fit are errors that name the file") {
     write_raster(folder / "moisture-13.tif", {{5, 5, 5}, {5, 5, 5}});
     CHECK_THAT(environment_error(folder), Contains("moisture-13.tif"));
   }
+}
+
+TEST_CASE("options that say how to read a DEM are refused where there is none, latitude is not") {
+  DemImportOptions options;
+  options.crop = Rect{0, 0, 9, 9};
+  const auto cropped = open_input("sample:valley", options);
+  REQUIRE_FALSE(cropped);
+  CHECK_THAT(cropped.error().message, Contains("sample:valley") && Contains("--crop"));
+
+  const TemporaryFolder folder;
+  Document document;
+  document.terrain = std::make_shared<const Terrain>(Terrain{Grid<float>(4, 4, 100.0F), {}, 10, 42, {}, "flat"});
+  const std::string scene = (folder / "flat.biotope").string();
+  const auto defaults = load_species(default_species_file(*assets_folder()));
+  document.species = std::make_shared<const std::vector<Species>>(*defaults);
+  document.climate = *climate_named("mild-humid");
+  REQUIRE(save_scene(scene, document));
+  DemImportOptions south;
+  south.latitude = -40;
+  const auto opened = open_input(scene, south);
+  REQUIRE(opened);
+  CHECK(opened->terrain->latitude == -40);
 }

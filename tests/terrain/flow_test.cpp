@@ -131,8 +131,9 @@ TEST_CASE("down a cone multiple flow spreads evenly where single flow runs in ei
       single_most = std::max(single_most, single(x, y));
     }
   }
-  // Area over contour length is r / 2 on a cone; a square cell's contour is 4 / pi cells long on average over directions.
-  CHECK(sum / cells == Approx(40.0 / 2 * 4 / 3.14159).epsilon(0.1));
+  // Area over contour length is r / 2 on a cone; water crosses 1 (straight) to 4 / pi cells (in steps) for each cell of the way out.
+  CHECK(sum / cells > 40.0 / 2);
+  CHECK(sum / cells < 40.0 / 2 * 4 / 3.14159);
   CHECK(most / least < 1.7F);
   CHECK(single_most > 8 * single_least);
 }

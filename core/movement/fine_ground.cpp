@@ -1,0 +1,78 @@
+#include <algorithm>
+
+#include "core/base/random.hpp"
+#include "core/movement/fine_path.hpp"
+
+namespace biotope {
+
+float unevenness(PathCell cell, double cell_size) {
+  constexpr float strength = 0.6F;
+  constexpr double wavelength = 45;
+  const double x = cell.x * cell_size / wavelength;
+  const double y = cell.y * cell_size / wavelength;
+  const auto column = std::uint64_t(x);
+  const auto row = std::uint64_t(y);
+  const auto at = [](std::uint64_t i, std::uint64_t k) { return float(mix_bits(i * 0x100000001b3ULL + k) >> 40) * 0x1.0p-24F; };
+  const auto smooth = [](double t) { return float(t * t * (3 - 2 * t)); };
+  const float east = smooth(x - double(column));
+  const float south = smooth(y - double(row));
+  const float north_side = at(column, row) + (at(column + 1, row) - at(column, row)) * east;
+  const float south_side = at(column, row + 1) + (at(column + 1, row + 1) - at(column, row + 1)) * east;
+  return 1 + strength * (north_side + (south_side - north_side) * south);
+}
+
+FineGround::FineGround(const Ground& ground, std::vector<const Grid<std::int32_t>*> regions, const WalkCost& walk,
+                       double step)
+    : regions_(std::move(regions)),
+      height_(&ground.terrain->height),
+      water_(ground.hydrology ? &ground.hydrology->water_depth : nullptr),
+      walk_(walk),
+      cell_size_(ground.terrain->cell_size),
+      stride_(std::clamp(int(std::lround(step / ground.terrain->cell_size)), 1, 8)) {
+  assert(!regions_.empty());
+}
+
+bool FineGround::clear(PathPoint a, PathPoint b) const {
+  if (!passable(a) || !passable(b)) return false;
+  const float longest = std::max(std::abs(b.x - a.x), std::abs(b.y - a.y));
+  const int samples = int(longest / 0.4F) + 1;
+  const float dx = (b.x - a.x) / float(samples);
+  const float dy = (b.y - a.y) / float(samples);
+  // Both ends lie on the grid, and so does all between them.
+  const auto width = std::size_t(height_->width());
+  std::size_t last = height_->size();
+  for (int i = 1; i < samples; ++i) {
+    const std::size_t cell = std::size_t(nearest_cell(a.y + dy * float(i))) * width + std::size_t(nearest_cell(a.x + dx * float(i)));
+    if (cell == last) continue;
+    if (!passable(cell)) return false;
+    last = cell;
+  }
+  return true;
+}
+
+double FineGround::walk_between(PathPoint a, PathPoint b) const {
+  const auto dx = double(b.x - a.x);
+  const auto dy = double(b.y - a.y);
+  const double run = std::sqrt(dx * dx + dy * dy) * cell_size_;
+  if (run <= 0) return 0;
+  const auto slope = float((sample_bilinear(*height_, b.x, b.y) - sample_bilinear(*height_, a.x, a.y)) / run);
+  double cost = run * double(walk_(slope));
+  const PathCell cell = cell_at(b);
+  if (height_->contains(cell.x, cell.y) && wet(height_->index(cell.x, cell.y))) cost *= wading_factor;
+  return cost;
+}
+
+double FineGround::walk_along(PathPoint a, PathPoint b) const {
+  const int pieces = std::max(1, int(std::max(std::abs(b.x - a.x), std::abs(b.y - a.y))) / stride_);
+  double cost = 0;
+  PathPoint last = a;
+  for (int i = 1; i <= pieces; ++i) {
+    const float t = float(i) / float(pieces);
+    const PathPoint next{a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t};
+    cost += walk_between(last, next);
+    last = next;
+  }
+  return cost;
+}
+
+}  // namespace biotope

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "core/ecosystem/confinement.hpp"
+#include "core/movement/fine_path.hpp"
+#include "core/movement/travel.hpp"
+
+namespace biotope {
+
+/// What movement found before and may need again: pure memoisation, results are the same with and without it. Entries that two runs in a row did
+/// not use are dropped. For one run at a time.
+class MovementCache {
+ public:
+  /// The graph of a mobility over regions with the same labels; built when there is none.
+  [[nodiscard]] std::shared_ptr<const TravelGraph> graph(const Ground& ground, const std::shared_ptr<const ConfinementRegions>& regions,
+                                                         const Mobility& mobility, int block);
+  /// Ends a run of a level over its mobilities: forgets graphs of the level that neither it nor the run before used.
+  void end_graphs(std::span<const std::shared_ptr<const TravelGraph>> used, int level);
+
+  /// Begins a run over fine paths; forgets all when the ground is another.
+  void begin_paths(const Ground& ground);
+  /// The cells found under a key (see path_key); null when it is not known. Safe from several threads while none is kept.
+  [[nodiscard]] const std::vector<PathCell>* path(std::uint64_t key) const;
+  /// Notes that a path was found or used in this run.
+  void keep_path(std::uint64_t key, const std::vector<PathCell>& cells);
+  /// Ends a run over fine paths: forgets those that neither it nor the run before used.
+  void end_paths();
+
+ private:
+  struct GraphEntry {
+    std::shared_ptr<const Terrain> terrain;
+    std::shared_ptr<const Hydrology> hydrology;
+    std::shared_ptr<const ConfinementRegions> regions;
+    int block = 1;
+    int level = 0;
+    std::shared_ptr<const TravelGraph> graph;
+    int unused_runs = 0;
+  };
+  struct PathEntry {
+    std::vector<PathCell> cells;
+    std::uint64_t run = 0;
+  };
+  std::vector<GraphEntry> graphs_;
+  std::shared_ptr<const Terrain> terrain_;
+  std::shared_ptr<const Hydrology> hydrology_;
+  std::uint64_t run_ = 1;
+  std::unordered_map<std::uint64_t, PathEntry> paths_;
+};
+
+/// Key of a fine path: its ends, the tube with what is open in it, and who walks.
+[[nodiscard]] std::uint64_t path_key(const Tube& tube, PathCell from, PathCell to, const Mobility& mobility);
+
+}  // namespace biotope

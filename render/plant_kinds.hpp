@@ -1,0 +1,75 @@
+#pragma once
+
+#include <vector>
+
+#include "render/gl_objects.hpp"
+#include "render/ground_maps.hpp"
+#include "render/plant_mesh.hpp"
+#include "render/shader_program.hpp"
+
+namespace biotope {
+
+/// Texture units of the plants' pictures.
+inline constexpr GLuint leaves_unit = 8;
+inline constexpr GLuint far_pictures_unit = 9;
+inline constexpr GLuint far_surfaces_unit = 10;
+/// Uniform block of every kind's extent.
+inline constexpr GLuint extents_binding = 1;
+/// Most kinds of plants that are told apart; later ones look like the last.
+inline constexpr int most_plant_kinds = 256;
+
+/// A mesh on the graphics side.
+struct PlantMeshBuffers {
+  Buffer vertices;
+  Buffer indices;
+  VertexArray array;
+  GLsizei index_count = 0;
+};
+/// Uploads a mesh; binding 1 of its array takes PlantInstance per instance (attributes 4 and 5).
+[[nodiscard]] PlantMeshBuffers upload(const PlantMesh& mesh);
+/// Declares PlantInstance at binding 1.
+void instance_attributes(const VertexArray& array);
+
+/// One species of plant, ready to draw.
+struct PlantKind {
+  int species = 0;  ///< number in the web
+  Stratum stratum = Stratum::herb;
+  PlantShape shape;
+  PlantExtent extent;
+  PlantMeshBuffers near;
+  PlantMeshBuffers mid;
+  SeasonalFoliage foliage;  ///< of the month drawn
+  float bloom = 0;          ///< share of plants in flower
+};
+
+/// Colours of a kind for the programs plant_mesh and plant_bake.
+void set_colours(const ShaderProgram& program, const PlantKind& kind);
+
+/// The plants of a web and their pictures from afar (impostors): every woody kind seen from three heights, as colour and as surface (normal and
+/// openness). Pictures are taken again when the month changes.
+class PlantKinds {
+ public:
+  [[nodiscard]] static Result<PlantKinds> create();
+  /// Builds the meshes of a web's plants.
+  void set_web(const FoodWeb& web);
+  /// Colours and pictures of a month.
+  void set_month(const FoodWeb& web, int month);
+
+  [[nodiscard]] const std::vector<PlantKind>& kinds() const { return kinds_; }
+  /// Binds leaf pictures, far pictures and extents.
+  void bind() const;
+  [[nodiscard]] static int picture_side() { return 128; }
+
+ private:
+  void take_pictures();
+
+  ShaderProgram bake_;
+  Texture leaves_;
+  Texture far_pictures_;
+  Texture far_surfaces_;
+  Buffer extents_;
+  std::vector<PlantKind> kinds_;
+  int month_ = -1;
+};
+
+}  // namespace biotope

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <memory>
+
+#include "render/frame.hpp"
+#include "render/plant_blocks.hpp"
+#include "render/plant_kinds.hpp"
+#include "render/plant_selection.hpp"
+#include "render/terrain_renderer.hpp"
+
+namespace biotope {
+
+/// What of the plants is shown, and how.
+struct PlantLook {
+  int month = 5;
+  SpeciesVisibility visible;
+  float quality = 1;
+};
+
+/// Draws the plants: near ones as meshes, farther ones as pictures that face the eye, beyond that the ground's canopy colour stands for them.
+class PlantRenderer {
+ public:
+  [[nodiscard]] static Result<std::unique_ptr<PlantRenderer>> create();
+
+  void set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot);
+  /// Builds every block that an eye there needs, on all threads.
+  void finish_loading(const PlantLook& look, const glm::dvec3& eye);
+  /// Builds missing blocks for at most `budget_ms`, and chooses what is drawn. Call before the frame's other draws. Returns false when blocks
+  /// are still missing.
+  bool prepare(const PlantLook& look, const glm::dvec3& eye, const FrameUniforms& frame, const Frustum& frustum, double budget_ms);
+  /// Draws the shade of crowns around the eye into a texture and binds it to TerrainRenderer::canopy_shade_unit.
+  /// `area` is what FrameUniforms::shade_area must hold.
+  DrawCount draw_shade(const glm::vec4& area, const glm::vec3& light_direction);
+  /// The square that is shaded around an eye: west, south, side in metres, strength.
+  [[nodiscard]] static glm::vec4 shade_area(const glm::dvec3& eye);
+  DrawCount draw() const;
+
+  /// Distances over which plants give way to the ground's canopy colour, m.
+  [[nodiscard]] glm::vec2 canopy_range() const { return {selection_.far_from, selection_.far_to}; }
+  [[nodiscard]] std::size_t plants_drawn() const { return selection_.count; }
+  [[nodiscard]] std::size_t bytes() const { return blocks_.bytes() + instance_bytes_; }
+
+ private:
+  PlantRenderer() = default;
+  [[nodiscard]] bool sees(Stratum stratum, const PlantBudget& budget, const glm::dvec3& eye) const;
+  void upload_selection();
+  DrawCount draw_meshes() const;
+  DrawCount draw_far() const;
+
+  std::shared_ptr<const MapsSnapshot> snapshot_;
+  PlantKinds kinds_;
+  PlantBlocks blocks_;
+  PlantSelection selection_;
+  ShaderProgram mesh_program_;
+  ShaderProgram far_program_;
+  ShaderProgram shade_program_;
+  Buffer instances_;
+  Buffer shade_instances_;
+  VertexArray far_array_;
+  VertexArray shade_array_;
+  Texture shade_;
+  Framebuffer shade_framebuffer_;
+  std::size_t instance_bytes_ = 0;
+  /// What the shade texture shows.
+  glm::vec4 shaded_area_{0};
+  glm::vec3 shaded_light_{0};
+  SpeciesVisibility visible_;
+};
+
+}  // namespace biotope

@@ -1,0 +1,172 @@
+#include "render/plant_placement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
+#include "render/plant_blocks.hpp"
+#include "tests/render/sample_plants.hpp"
+
+using namespace biotope;
+using namespace biotope::test;
+
+namespace {
+
+constexpr int woody_blocks = int(cells * cell_size / woody_block_side);
+
+std::vector<PlantInstance> all_plants(const std::shared_ptr<const MapsSnapshot>& snapshot, Stratum stratum) {
+  const PlantPlacement placement(snapshot);
+  const int blocks = int(cells * cell_size / PlantPlacement::block_side(stratum));
+  std::vector<PlantInstance> out;
+  for (int row = 0; row < blocks; ++row) {
+    for (int column = 0; column < blocks; ++column) {
+      const auto block = placement.block(stratum, column, row);
+      out.insert(out.end(), block.begin(), block.end());
+    }
+  }
+  return out;
+}
+
+float crown_radius(const MapsSnapshot& snapshot, const PlantInstance& plant) {
+  const int species = snapshot.web->levels[0][std::size_t(plant.plant)];
+  return 0.5F * snapshot.web->species[std::size_t(species)].plant().shape.crown_diameter * plant.scale;
+}
+
+/// Crown area of a species / ground.
+double crown_share(const MapsSnapshot& snapshot, const std::vector<PlantInstance>& plants, int index) {
+  double area = 0;
+  for (const PlantInstance& plant : plants) {
+    const double radius = crown_radius(snapshot, plant);
+    if (int(plant.plant) == index) area += glm::pi<double>() * radius * radius;
+  }
+  return area / (cells * cell_size * cells * cell_size);
+}
+
+int cell_x(const PlantInstance& plant) { return int(plant.x / cell_size); }
+int cell_y(const PlantInstance& plant) { return cells - 1 - int(plant.y / cell_size); }
+
+bool same(const PlantInstance& a, const PlantInstance& b) {
+  return a.x == b.x && a.y == b.y && a.z == b.z && a.scale == b.scale && a.turn == b.turn && a.tint == b.tint && a.plant == b.plant;
+}
+
+}  // namespace
+
+TEST_CASE("crowns cover as much ground as the cover map says") {
+  for (const float wanted : {0.05F, 0.25F, 0.6F}) {
+    const auto snapshot = level_landscape();
+    cover(*snapshot, 0, wanted);
+    CHECK(crown_share(*snapshot, all_plants(snapshot, Stratum::tree), 0) == Approx(wanted).epsilon(wanted < 0.1F ? 0.15 : 0.06));
+    cover(*snapshot, 2, wanted);
+    CHECK(crown_share(*snapshot, all_plants(snapshot, Stratum::shrub), 2) == Approx(wanted).epsilon(0.03));
+  }
+}
+
+TEST_CASE("two species of trees share a wood, each with its own cover, however dense it is") {
+  const auto snapshot = level_landscape();
+  cover(*snapshot, 0, 0.3F);
+  cover(*snapshot, 1, 0.5F);
+  const auto plants = all_plants(snapshot, Stratum::tree);
+  CHECK(crown_share(*snapshot, plants, 0) == Approx(0.3).epsilon(0.1));
+  CHECK(crown_share(*snapshot, plants, 1) == Approx(0.5).epsilon(0.06));
+}
+
+TEST_CASE("no two trunks stand closer than 0.4 times the sum of their crowns' radii") {
+  const auto snapshot = level_landscape();
+  cover(*snapshot, 0, 0.5F);
+  cover(*snapshot, 1, 0.5F);
+  auto plants = all_plants(snapshot, Stratum::tree);
+  REQUIRE(plants.size() > 1000);
+  std::sort(plants.begin(), plants.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+  double closest = 10;
+  for (std::size_t i = 0; i < plants.size(); ++i) {
+    for (std::size_t j = i + 1; j < plants.size() && plants[j].x - plants[i].x < 12; ++j) {
+      const double distance = std::hypot(plants[j].x - plants[i].x, plants[j].y - plants[i].y);
+      closest = std::min(closest, distance / (crown_radius(*snapshot, plants[i]) + crown_radius(*snapshot, plants[j])));
+    }
+  }
+  CHECK(closest >= 0.399);
+}
+
+TEST_CASE("nothing grows where its cover is zero, in water, or on a worn trail") {
+  const auto snapshot = level_landscape();
+  const Rect wood{32, 0, 96, cells};
+  for (std::size_t i = 0; i < 4; ++i) cover(*snapshot, i, wood, 0.25F);
+  snapshot->hydrology = river(60, 64);
+  auto trails = std::make_shared<TrailNetwork>();
+  trails->wear = Grid<float>(cells, cells, 0);
+  trails->carving = Grid<float>(cells, cells, 0);
+  for (int x = 0; x < cells; ++x) trails->wear(x, 50) = 0.8F;
+  for (int x = 0; x < cells; ++x) trails->wear(x, 52) = 0.2F;
+  snapshot->trails = trails;
+  bool on_faint_trail = false;
+  for (int s = 0; s < strata; ++s) {
+    const auto plants = all_plants(snapshot, Stratum(s));
+    CHECK(plants.size() > 50);
+    for (const PlantInstance& plant : plants) {
+      CHECK(wood.contains(cell_x(plant), cell_y(plant)));
+      CHECK((cell_x(plant) < 60 || cell_x(plant) >= 64));
+      CHECK(cell_y(plant) != 50);
+      on_faint_trail = on_faint_trail || cell_y(plant) == 52;
+    }
+  }
+  CHECK(on_faint_trail);
+}
+
+TEST_CASE("an edit moves no plant elsewhere, and rebuilds only the blocks under its tiles") {
+  const auto before = level_landscape();
+  cover(*before, 0, 0.4F);
+  cover(*before, 1, 0.2F);
+  const auto after = std::make_shared<MapsSnapshot>(*before);
+  cover(*after, 1, {0, 0, 20, 20}, 0.5F);
+  const PlantPlacement old_places(before);
+  const PlantPlacement new_places(after);
+  int changed = 0;
+  for (int row = 0; row < woody_blocks; ++row) {
+    for (int column = 0; column < woody_blocks; ++column) {
+      const auto then = old_places.block(Stratum::tree, column, row);
+      const auto now = new_places.block(Stratum::tree, column, row);
+      const bool equal = std::equal(then.begin(), then.end(), now.begin(), now.end(), same);
+      changed += equal ? 0 : 1;
+      if (!equal) CHECK((column < 2 && row >= woody_blocks - 2));  // 20 cells from the north-western corner are 80 m
+    }
+  }
+  CHECK(changed > 0);
+
+  PlantBlocks blocks;
+  blocks.set_snapshot(before);
+  blocks.build_all(Stratum::tree, 256, 256, 1000);
+  REQUIRE(blocks.blocks(Stratum::tree).size() == std::size_t(woody_blocks * woody_blocks));
+  blocks.set_snapshot(after);
+  int stale = 0;
+  for (const auto& [place, block] : blocks.blocks(Stratum::tree)) stale += block.stale ? 1 : 0;
+  CHECK(stale == 16);  // one tile of 64 cells is 256 m: 4 x 4 blocks
+}
+
+TEST_CASE("the order of building and its budget do not matter") {
+  const auto snapshot = level_landscape();
+  cover(*snapshot, 0, 0.3F);
+  cover(*snapshot, 2, 0.2F);
+  PlantBlocks at_once;
+  at_once.set_snapshot(snapshot);
+  at_once.build_all(Stratum::shrub, 100, 100, 1000);
+  PlantBlocks by_and_by;
+  by_and_by.set_snapshot(snapshot);
+  int frames = 0;
+  while (!by_and_by.build(Stratum::shrub, 400, 300, 1000, std::chrono::steady_clock::now() + std::chrono::milliseconds(1))) ++frames;
+  CHECK(frames < 1000);
+  REQUIRE(at_once.blocks(Stratum::shrub).size() == by_and_by.blocks(Stratum::shrub).size());
+  for (const auto& [place, block] : at_once.blocks(Stratum::shrub)) {
+    const auto& other = by_and_by.blocks(Stratum::shrub).at(place);
+    CHECK(std::equal(block.plants.begin(), block.plants.end(), other.plants.begin(), other.plants.end(), same));
+  }
+}
+
+TEST_CASE("another seed makes another wood") {
+  const auto snapshot = level_landscape();
+  cover(*snapshot, 0, 0.3F);
+  const auto other = std::make_shared<MapsSnapshot>(*snapshot);
+  other->document.seed = 8;
+  const auto a = PlantPlacement(snapshot).block(Stratum::tree, 3, 3);
+  const auto b = PlantPlacement(other).block(Stratum::tree, 3, 3);
+  CHECK_FALSE(std::equal(a.begin(), a.end(), b.begin(), b.end(), same));
+}
