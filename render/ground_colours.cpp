@@ -24,7 +24,7 @@ struct Palette {
   glm::vec3 bed = linear(0.36F, 0.35F, 0.29F);
   glm::vec3 moist_earth = linear(0.31F, 0.26F, 0.19F);
   glm::vec3 dry_grass = linear(0.56F, 0.52F, 0.32F);
-  glm::vec3 fresh_grass = linear(0.34F, 0.43F, 0.19F);
+  glm::vec3 fresh_grass = linear(0.34F, 0.40F, 0.21F);
   glm::vec3 winter_grass = linear(0.48F, 0.44F, 0.31F);
   glm::vec3 forest_floor = linear(0.24F, 0.20F, 0.13F);
 };
@@ -46,7 +46,9 @@ std::vector<PlantTint> plant_tints(const MapsSnapshot& snapshot, int month, cons
     if (!snapshot.cover[i] || (number < visible.size() && !visible[number])) continue;
     const PlantTraits& plant = snapshot.web->species[number].plant();
     const SeasonalFoliage foliage = seasonal_foliage(plant, month);
-    tints.push_back({snapshot.cover[i].get(), plant.stratum, {foliage.colour[0], foliage.colour[1], foliage.colour[2]},
+    tints.push_back({snapshot.cover[i].get(),
+                     plant.stratum,
+                     {foliage.colour[0], foliage.colour[1], foliage.colour[2]},
                      1 - 0.75F * foliage.bare});
   }
   return tints;
@@ -72,16 +74,20 @@ class GroundPainter {
   CellLook look(int x, int y) const {
     CellLook cell;
     const float slope = slope_at(x, y);
-    const float moisture = snapshot_.environment ? std::clamp((snapshot_.environment->map(Resource::moisture).mean(x, y) - 1) / 8, 0.0F, 1.0F) : 0.5F;
+    const float moisture = snapshot_.environment
+                               ? std::clamp((snapshot_.environment->map(Resource::moisture).mean(x, y) - 1) / 8, 0.0F, 1.0F)
+                               : 0.5F;
     cell.rock = std::clamp((slope - 0.62F) / 0.5F, 0.0F, 1.0F);
     glm::vec3 bare = bare_ground(x, y, slope, moisture, cell.rock);
     // A thin sward grows wherever nothing else is known or counted: the herbs of the species list are only part of it.
-    const glm::vec3 green = glm::mix(palette_.dry_grass, palette_.fresh_grass, std::clamp(freshness_ * (0.35F + 0.9F * moisture), 0.0F, 1.0F));
+    const glm::vec3 green =
+        glm::mix(palette_.dry_grass, palette_.fresh_grass, std::clamp(freshness_ * (0.35F + 0.9F * moisture), 0.0F, 1.0F));
     const glm::vec3 grass = glm::mix(green, palette_.winter_grass, winter_);
     const float sward = (1 - cell.rock) * (tints_.empty() ? 0.85F : 0.6F);
     cell.ground = glm::mix(bare, grass, sward);
     plants(x, y, cell);
-    if (snapshot_.hydrology && snapshot_.hydrology->water_depth(x, y) > 0.05F) cell.ground = glm::mix(cell.ground, palette_.bed, 0.8F);
+    if (snapshot_.hydrology && snapshot_.hydrology->water_depth(x, y) > 0.05F)
+      cell.ground = glm::mix(cell.ground, palette_.bed, 0.8F);
     return cell;
   }
 
@@ -90,7 +96,8 @@ class GroundPainter {
     if (snapshot_.derivatives) return snapshot_.derivatives->slope(x, y);
     const Grid<float>& height = snapshot_.terrain().height;
     const float run = float(2 * snapshot_.terrain().cell_size);
-    return std::hypot(height.clamped(x + 1, y) - height.clamped(x - 1, y), height.clamped(x, y + 1) - height.clamped(x, y - 1)) / run;
+    return std::hypot(height.clamped(x + 1, y) - height.clamped(x - 1, y), height.clamped(x, y + 1) - height.clamped(x, y - 1)) /
+           run;
   }
 
   glm::vec3 bare_ground(int x, int y, float slope, float moisture, float rock) const {
@@ -98,11 +105,22 @@ class GroundPainter {
     glm::vec3 cliff = palette_.limestone;
     if (snapshot_.environment && snapshot_.environment->geology) {
       switch ((*snapshot_.environment->geology)(x, y)) {
-        case Geology::limestone: soil = glm::mix(palette_.marl, palette_.limestone, 0.6F); break;
-        case Geology::water: soil = palette_.bed; break;
-        case Geology::marl: cliff = glm::mix(palette_.limestone, palette_.marl, 0.35F); break;
-        case Geology::scree: soil = palette_.scree; cliff = palette_.scree; break;
-        case Geology::alluvium: soil = palette_.alluvium; break;
+        case Geology::limestone:
+          soil = glm::mix(palette_.marl, palette_.limestone, 0.6F);
+          break;
+        case Geology::water:
+          soil = palette_.bed;
+          break;
+        case Geology::marl:
+          cliff = glm::mix(palette_.limestone, palette_.marl, 0.35F);
+          break;
+        case Geology::scree:
+          soil = palette_.scree;
+          cliff = palette_.scree;
+          break;
+        case Geology::alluvium:
+          soil = palette_.alluvium;
+          break;
       }
     }
     soil = glm::mix(soil, palette_.moist_earth, 0.6F * moisture);
@@ -132,7 +150,8 @@ class GroundPainter {
     if (herb_cover > 0) {
       const glm::vec3 leaves = herbs / herb_cover;
       const auto meadow = meadow_colour({leaves.r, leaves.g, leaves.b});
-      cell.ground = glm::mix(cell.ground, glm::vec3(meadow[0], meadow[1], meadow[2]), std::min(herb_cover, 1.0F) * 0.75F * (1 - 0.85F * cell.rock));
+      cell.ground = glm::mix(cell.ground, glm::vec3(meadow[0], meadow[1], meadow[2]),
+                             std::min(herb_cover, 1.0F) * 0.75F * (1 - 0.85F * cell.rock));
     }
     cell.ground = glm::mix(cell.ground, palette_.forest_floor, 0.55F * std::min(tree_cover, 1.0F));
     if (cell.canopy_cover <= 0) return;
@@ -188,7 +207,8 @@ SeasonalFoliage seasonal_foliage(const PlantTraits& plant, int month) {
   return out;
 }
 
-void colour_ground(const MapsSnapshot& snapshot, int month, const SpeciesVisibility& visible, const Rect& rect, GroundColours& out) {
+void colour_ground(const MapsSnapshot& snapshot, int month, const SpeciesVisibility& visible, const Rect& rect,
+                   GroundColours& out) {
   const GroundPainter painter(snapshot, month, visible);
   parallel_rows(rect.y0, rect.y1, [&](int y) {
     for (int x = rect.x0; x < rect.x1; ++x) {

@@ -118,19 +118,21 @@ void LandscapeRenderer::draw(const Camera& camera, const LandscapeOptions& optio
   state.complete = true;
   if (options.plants) {
     state.complete = state.plants->prepare(plant_look(options), camera.position, frame, frustum, plant_milliseconds);
-    frame.shade_area = PlantRenderer::shade_area(camera.position);
+    frame.shade_area = PlantRenderer::shade_area(camera.position, camera.position.z - ground_height(ground, camera.position.x, camera.position.y));
     look.canopy_from = state.plants->canopy_range().x;
     look.canopy_whole = state.plants->canopy_range().y;
   }
   stream(state.frame_buffer, std::span<const FrameUniforms>(&frame, 1));
   glBindBufferBase(GL_UNIFORM_BUFFER, frame_binding, state.frame_buffer.name());
   if (options.plants) count(state.plants->draw_shade(frame.shade_area, light.light_direction));
-  count(state.terrain->draw(look, camera.position, frustum));
+  // Plants before the ground: what they hide need not be shaded.
+  state.terrain->bind_shared();
   if (options.plants) {
     count(state.plants->draw());
     state.statistics.plants = state.plants->plants_drawn();
     state.statistics.instance_bytes = state.plants->bytes();
   }
+  count(state.terrain->draw(look, camera.position, frustum));
   count(state.animals->draw(*state.snapshot, options, camera.position, frustum, state.terrain->surface(), state.statistics.animals));
   state.sky.draw();
   count({1, 1});

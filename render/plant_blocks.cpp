@@ -13,9 +13,8 @@ namespace {
 bool same_plants(const MapsSnapshot& a, const MapsSnapshot& b) {
   if (a.web == b.web) return true;
   if (!a.web || !b.web || a.web->levels.empty() || b.web->levels.empty() || a.web->levels[0] != b.web->levels[0]) return false;
-  return std::all_of(a.web->levels[0].begin(), a.web->levels[0].end(), [&](int i) {
-    return a.web->species[std::size_t(i)].traits == b.web->species[std::size_t(i)].traits;
-  });
+  return std::all_of(a.web->levels[0].begin(), a.web->levels[0].end(),
+                     [&](int i) { return a.web->species[std::size_t(i)].traits == b.web->species[std::size_t(i)].traits; });
 }
 
 }  // namespace
@@ -24,8 +23,9 @@ void PlantBlocks::set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot) {
   const std::shared_ptr<const MapsSnapshot> before = std::move(snapshot_);
   snapshot_ = std::move(snapshot);
   placement_ = PlantPlacement(snapshot_);
-  const bool kept = before && before->document.terrain == snapshot_->document.terrain && before->document.seed == snapshot_->document.seed &&
-                    same_plants(*before, *snapshot_) && before->cover.size() == snapshot_->cover.size();
+  const bool kept = before && before->document.terrain == snapshot_->document.terrain &&
+                    before->document.seed == snapshot_->document.seed && same_plants(*before, *snapshot_) &&
+                    before->cover.size() == snapshot_->cover.size();
   if (!kept) {
     blocks_ = {};
     return;
@@ -78,7 +78,8 @@ void PlantBlocks::mark(const Rect& cells) {
     const double side = PlantPlacement::block_side(Stratum(s));
     for (auto& [place, block] : blocks_[std::size_t(s)]) {
       const auto [row, column] = place;
-      if (column * side < east && (column + 1) * side > west && row * side < north && (row + 1) * side > south) block.stale = true;
+      if (column * side < east && (column + 1) * side > west && row * side < north && (row + 1) * side > south)
+        block.stale = true;
     }
   }
 }
@@ -104,7 +105,8 @@ std::vector<std::pair<int, int>> PlantBlocks::missing(Stratum stratum, double x,
       if (found == have.end() || found->second.stale) out.emplace_back(row, column);
     }
   }
-  std::sort(out.begin(), out.end(), [&](const auto& a, const auto& b) { return std::pair(distance(a), a) < std::pair(distance(b), b); });
+  std::sort(out.begin(), out.end(),
+            [&](const auto& a, const auto& b) { return std::pair(distance(a), a) < std::pair(distance(b), b); });
   return out;
 }
 
@@ -112,7 +114,8 @@ void PlantBlocks::fill(Stratum stratum, std::pair<int, int> place, PlantBlock& b
   block.plants = placement_.block(stratum, place.second, place.first);
   block.stale = false;
   if (block.plants.empty()) return;
-  const auto [low, high] = std::minmax_element(block.plants.begin(), block.plants.end(), [](const auto& a, const auto& b) { return a.z < b.z; });
+  const auto [low, high] =
+      std::minmax_element(block.plants.begin(), block.plants.end(), [](const auto& a, const auto& b) { return a.z < b.z; });
   block.low = low->z;
   block.high = high->z;
 }

@@ -20,13 +20,14 @@ struct PlantBlock {
   bool stale = true;
 };
 
-/// The blocks of plants that a camera needs, built when they are first asked for and again when a map under them has changed. A block that
-/// waits for its turn keeps its old plants.
+/// The blocks of plants that a camera needs, built when they are first asked for and again when a map under them has changed. A
+/// block that waits for its turn keeps its old plants.
 class PlantBlocks {
  public:
   void set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot);
 
-  /// Builds blocks of a stratum that lie within `reach` metres of (x, y), nearest first, until `until`. Returns false when some are left.
+  /// Builds blocks of a stratum that lie within `reach` metres of (x, y), nearest first, until `until`. Returns false when some
+  /// are left.
   bool build(Stratum stratum, double x, double y, float reach, std::chrono::steady_clock::time_point until);
   /// Builds all of them, on all threads.
   void build_all(Stratum stratum, double x, double y, float reach);

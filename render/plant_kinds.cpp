@@ -130,35 +130,20 @@ void PlantKinds::set_month(const FoodWeb& web, int month) {
 }
 
 void PlantKinds::take_pictures() {
-  GLint before = 0;
-  std::array<GLint, 4> viewport{};
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before);
-  glGetIntegerv(GL_VIEWPORT, viewport.data());
+  const DrawnElsewhere elsewhere(picture_side(), picture_side());
   const Framebuffer framebuffer = make_framebuffer();
-  const Texture depth = make_texture_2d(GL_DEPTH_COMPONENT24, picture_side(), picture_side(), 1, {GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE});
+  const Texture depth =
+      make_texture_2d(GL_DEPTH_COMPONENT24, picture_side(), picture_side(), 1, {GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE});
   glNamedFramebufferTexture(framebuffer.name(), GL_DEPTH_ATTACHMENT, depth.name(), 0);
   constexpr std::array<GLenum, 2> targets{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
   glNamedFramebufferDrawBuffers(framebuffer.name(), 2, targets.data());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer.name());
-  glViewport(0, 0, picture_side(), picture_side());
   glBindTextureUnit(leaves_unit, leaves_.name());
   bake_.use();
   for (std::size_t i = 0; i < kinds_.size(); ++i) {
-    const PlantKind& kind = kinds_[i];
-    if (kind.stratum == Stratum::herb) continue;
-    set_colours(bake_, kind);
-    glBindVertexArray(kind.near.array.name());
+    if (kinds_[i].stratum == Stratum::herb) continue;
+    set_colours(bake_, kinds_[i]);
     for (int view = 0; view < far_views; ++view) {
-      const float rise = elevations[std::size_t(view)];
-      const glm::vec3 toward(0, -std::cos(rise), std::sin(rise));
-      const glm::vec3 right(1, 0, 0);
-      const glm::vec3 up = glm::cross(toward, right);
-      const float radius = kind.extent.radius;
-      const float half_height = 0.5F * kind.extent.height * std::cos(rise) + radius * std::sin(rise);
-      const glm::vec3 centre(0, 0, 0.5F * kind.extent.height);
-      const float far_side = 4 * (radius + kind.extent.height);
-      const glm::mat4 projection = glm::ortho(-radius, radius, -half_height, half_height, 0.0F, far_side) *
-                                   glm::lookAt(centre + toward * 0.5F * far_side, centre, up);
       const GLint layer = GLint(i) * far_views + view;
       glNamedFramebufferTextureLayer(framebuffer.name(), GL_COLOR_ATTACHMENT0, far_pictures_.name(), 0, layer);
       glNamedFramebufferTextureLayer(framebuffer.name(), GL_COLOR_ATTACHMENT1, far_surfaces_.name(), 0, layer);
@@ -167,17 +152,28 @@ void PlantKinds::take_pictures() {
       glClearNamedFramebufferfv(framebuffer.name(), GL_COLOR, 0, clear.data());
       glClearNamedFramebufferfv(framebuffer.name(), GL_COLOR, 1, clear.data());
       glClearNamedFramebufferfv(framebuffer.name(), GL_DEPTH, 0, &farthest);
-      bake_.set("projection", projection);
-      bake_.set("right", right);
-      bake_.set("up", up);
-      bake_.set("toward", toward);
-      glDrawElements(GL_TRIANGLES, kind.near.index_count, GL_UNSIGNED_SHORT, nullptr);
+      take_picture(kinds_[i], elevations[std::size_t(view)]);
     }
   }
   glGenerateTextureMipmap(far_pictures_.name());
   glGenerateTextureMipmap(far_surfaces_.name());
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(before));
-  glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+}
+
+void PlantKinds::take_picture(const PlantKind& kind, float elevation) const {
+  const glm::vec3 toward(0, -std::cos(elevation), std::sin(elevation));
+  const glm::vec3 right(1, 0, 0);
+  const glm::vec3 up = glm::cross(toward, right);
+  const float radius = kind.extent.radius;
+  const float half_height = 0.5F * kind.extent.height * std::cos(elevation) + radius * std::sin(elevation);
+  const glm::vec3 centre(0, 0, 0.5F * kind.extent.height);
+  const float depth = 4 * (radius + kind.extent.height);
+  bake_.set("projection", glm::ortho(-radius, radius, -half_height, half_height, 0.0F, depth) *
+                              glm::lookAt(centre + toward * 0.5F * depth, centre, up));
+  bake_.set("right", right);
+  bake_.set("up", up);
+  bake_.set("toward", toward);
+  glBindVertexArray(kind.near.array.name());
+  glDrawElements(GL_TRIANGLES, kind.near.index_count, GL_UNSIGNED_SHORT, nullptr);
 }
 
 void PlantKinds::bind() const {

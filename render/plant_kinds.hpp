@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "render/gl_objects.hpp"
@@ -17,6 +18,27 @@ inline constexpr GLuint far_surfaces_unit = 10;
 inline constexpr GLuint extents_binding = 1;
 /// Most kinds of plants that are told apart; later ones look like the last.
 inline constexpr int most_plant_kinds = 256;
+
+/// While it lives, drawing goes to another framebuffer with a viewport of that size; the framebuffer and viewport of before come
+/// back with its end.
+class DrawnElsewhere {
+ public:
+  DrawnElsewhere(int width, int height) {
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer_);
+    glGetIntegerv(GL_VIEWPORT, viewport_.data());
+    glViewport(0, 0, width, height);
+  }
+  ~DrawnElsewhere() {
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(framebuffer_));
+    glViewport(viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
+  }
+  DrawnElsewhere(const DrawnElsewhere&) = delete;
+  DrawnElsewhere& operator=(const DrawnElsewhere&) = delete;
+
+ private:
+  GLint framebuffer_ = 0;
+  std::array<GLint, 4> viewport_{};
+};
 
 /// A mesh on the graphics side.
 struct PlantMeshBuffers {
@@ -45,8 +67,8 @@ struct PlantKind {
 /// Colours of a kind for the programs plant_mesh and plant_bake.
 void set_colours(const ShaderProgram& program, const PlantKind& kind);
 
-/// The plants of a web and their pictures from afar (impostors): every woody kind seen from three heights, as colour and as surface (normal and
-/// openness). Pictures are taken again when the month changes.
+/// The plants of a web and their pictures from afar (impostors): every woody kind seen from three heights, as colour and as
+/// surface (normal and openness). Pictures are taken again when the month changes.
 class PlantKinds {
  public:
   [[nodiscard]] static Result<PlantKinds> create();
@@ -62,6 +84,7 @@ class PlantKinds {
 
  private:
   void take_pictures();
+  void take_picture(const PlantKind& kind, float elevation) const;
 
   ShaderProgram bake_;
   Texture leaves_;

@@ -33,12 +33,16 @@ class LeafCanvas {
     if (length <= 0) return;
     const glm::vec2 axis = along / length;
     const glm::vec2 side(-axis.y, axis.x);
-    stamp(glm::min(from, to) - half_width, glm::max(from, to) + half_width, [&](const glm::vec2& p) {
-      const float t = glm::dot(p - from, axis) / length;
-      if (t < 0 || t > 1) return 0.0F;
-      const float across = glm::dot(p - from, side);
-      return std::abs(across) < half_width * std::sin(glm::pi<float>() * std::pow(t, 0.8F)) ? (across > 0 ? 1.0F : 0.84F) : 0.0F;
-    }, ink);
+    stamp(
+        glm::min(from, to) - half_width, glm::max(from, to) + half_width,
+        [&](const glm::vec2& p) {
+          const float t = glm::dot(p - from, axis) / length;
+          if (t < 0 || t > 1) return 0.0F;
+          const float across = glm::dot(p - from, side);
+          return std::abs(across) < half_width * std::sin(glm::pi<float>() * std::pow(t, 0.8F)) ? (across > 0 ? 1.0F : 0.84F)
+                                                                                                : 0.0F;
+        },
+        ink);
   }
 
   /// A tapering stroke.
@@ -47,15 +51,20 @@ class LeafCanvas {
     const float length = glm::length(along);
     if (length <= 0) return;
     const glm::vec2 axis = along / length;
-    stamp(glm::min(from, to) - half_from, glm::max(from, to) + half_from, [&](const glm::vec2& p) {
-      const float t = glm::dot(p - from, axis) / length;
-      if (t < 0 || t > 1) return 0.0F;
-      return std::abs(axis.x * (p.y - from.y) - axis.y * (p.x - from.x)) < glm::mix(half_from, half_to, t) ? 1.0F : 0.0F;
-    }, ink);
+    stamp(
+        glm::min(from, to) - half_from, glm::max(from, to) + half_from,
+        [&](const glm::vec2& p) {
+          const float t = glm::dot(p - from, axis) / length;
+          if (t < 0 || t > 1) return 0.0F;
+          return std::abs(axis.x * (p.y - from.y) - axis.y * (p.x - from.x)) < glm::mix(half_from, half_to, t) ? 1.0F : 0.0F;
+        },
+        ink);
   }
 
   void dot(const glm::vec2& centre, float radius, const Ink& ink) {
-    stamp(centre - radius, centre + radius, [&](const glm::vec2& p) { return glm::distance(p, centre) < radius ? 1.0F : 0.0F; }, ink);
+    stamp(
+        centre - radius, centre + radius, [&](const glm::vec2& p) { return glm::distance(p, centre) < radius ? 1.0F : 0.0F; },
+        ink);
   }
 
   [[nodiscard]] Grid<Rgba> take() { return std::move(picture_); }
@@ -81,8 +90,8 @@ class LeafCanvas {
 
 constexpr Ink twig{0.8F, 0, 1};
 
-/// Leaves around the ends of twigs, with gaps between the twigs so that the cluster stays ragged from afar. Those behind first and darker.
-/// `leaf_length` of the card's side.
+/// Leaves around the ends of twigs, with gaps between the twigs so that the cluster stays ragged from afar. Those behind first
+/// and darker. `leaf_length` of the card's side.
 Grid<Rgba> cluster(int twigs, int leaves, float leaf_length, float slender, std::uint64_t what) {
   LeafCanvas canvas(what);
   std::vector<glm::vec2> ends;
@@ -99,7 +108,8 @@ Grid<Rgba> cluster(int twigs, int leaves, float leaf_length, float slender, std:
     const glm::vec2 at = end + 0.105F * std::sqrt(canvas.unit()) * glm::vec2(std::cos(turn), std::sin(turn));
     const float lean = turn + canvas.between(-0.9F, 0.9F);
     const glm::vec2 along = leaf_length * canvas.between(0.7F, 1.15F) * glm::vec2(std::cos(lean), std::sin(lean));
-    canvas.leaf(at - 0.3F * along, at + 0.7F * along, glm::length(along) * slender, {0.52F + 0.5F * back + canvas.between(-0.12F, 0.2F), 0, 0});
+    canvas.leaf(at - 0.3F * along, at + 0.7F * along, glm::length(along) * slender,
+                {0.52F + 0.5F * back + canvas.between(-0.12F, 0.2F), 0, 0});
   }
   return canvas.take();
 }
@@ -107,15 +117,17 @@ Grid<Rgba> cluster(int twigs, int leaves, float leaf_length, float slender, std:
 /// Tufts of long needles around twigs.
 Grid<Rgba> needle_tufts() {
   LeafCanvas canvas(3);
-  for (int tuft = 0; tuft < 13; ++tuft) {
+  constexpr int tufts = 24;
+  for (int tuft = 0; tuft < tufts; ++tuft) {
     const float turn = glm::radians(137.5F) * float(tuft);
-    const float away = 0.34F * std::sqrt((float(tuft) + 0.5F) / 13);
+    const float away = 0.34F * std::sqrt((float(tuft) + 0.5F) / tufts);
     const glm::vec2 at = glm::vec2(0.5F) + 1.1F * away * glm::vec2(std::cos(turn), std::sin(turn));
-    const float shade = 0.66F + 0.03F * float(12 - tuft) + canvas.between(-0.06F, 0.1F);
-    for (int needle = 0; needle < 22; ++needle) {
+    const float shade = 0.66F + 0.016F * float(tufts - tuft) + canvas.between(-0.06F, 0.1F);
+    for (int needle = 0; needle < 20; ++needle) {
       const float direction = canvas.between(0, glm::two_pi<float>());
-      const float length = canvas.between(0.07F, 0.135F);
-      canvas.stroke(at, at + length * glm::vec2(std::cos(direction), std::sin(direction)), 0.0095F, 0.005F, {shade * canvas.between(0.8F, 1.2F), 0, 0});
+      const float length = canvas.between(0.045F, 0.085F);
+      canvas.stroke(at, at + length * glm::vec2(std::cos(direction), std::sin(direction)), 0.0075F, 0.0045F,
+                    {shade * canvas.between(0.75F, 1.25F), 0, 0});
     }
   }
   return canvas.take();
@@ -130,7 +142,8 @@ Grid<Rgba> bough() {
     const float t = (float(i) + 0.4F) / twigs;
     for (const float side : {-1.0F, 1.0F}) {
       const glm::vec2 at(0.5F, 0.9F * t);
-      const float length = (0.46F * std::sin(glm::pi<float>() * std::pow(0.12F + 0.86F * t, 0.7F)) + 0.06F) * canvas.between(0.8F, 1.05F);
+      const float length =
+          (0.46F * std::sin(glm::pi<float>() * std::pow(0.12F + 0.86F * t, 0.7F)) + 0.06F) * canvas.between(0.8F, 1.05F);
       const glm::vec2 along = length * glm::normalize(glm::vec2(side, 0.55F + 0.5F * t));
       const float shade = canvas.between(0.72F, 1.14F);
       canvas.stroke(at, at + along, 0.028F, 0.01F, {shade, 0, 0});
@@ -162,7 +175,8 @@ Grid<Rgba> blades() {
     for (int p = 1; p <= pieces; ++p) {
       const float t = float(p) / pieces;
       const glm::vec2 at(std::clamp(foot + lean * t * t, 0.02F, 0.98F), height * (t - 0.12F * t * t * t));
-      canvas.stroke(before, at + (at - before) * 0.15F, 0.013F * (1 - 0.85F * (t - 1.0F / pieces)), 0.013F * (1 - 0.85F * t), {shade * (0.62F + 0.45F * t), 0, 0});
+      canvas.stroke(before, at + (at - before) * 0.15F, 0.013F * (1 - 0.85F * (t - 1.0F / pieces)), 0.013F * (1 - 0.85F * t),
+                    {shade * (0.62F + 0.45F * t), 0, 0});
       before = at;
     }
   }
@@ -202,6 +216,22 @@ Grid<Rgba> flowers() {
   return canvas.take();
 }
 
+/// What is left of a cluster in winter: a spray of twigs that fork twice.
+Grid<Rgba> bare_twigs() {
+  LeafCanvas canvas(8);
+  for (int i = 0; i < 9; ++i) {
+    const float turn = glm::two_pi<float>() * (float(i) + canvas.between(-0.35F, 0.35F)) / 9;
+    const glm::vec2 fork = glm::vec2(0.5F) + canvas.between(0.16F, 0.24F) * glm::vec2(std::cos(turn), std::sin(turn));
+    canvas.stroke({0.5F, 0.5F}, fork, 0.014F, 0.011F, twig);
+    for (const float lean : {-0.8F, -0.3F, 0.15F, 0.7F}) {
+      const float end = turn + lean + canvas.between(-0.2F, 0.2F);
+      const glm::vec2 tip = fork + canvas.between(0.14F, 0.24F) * glm::vec2(std::cos(end), std::sin(end));
+      canvas.stroke(fork, tip, 0.011F, 0.007F, {canvas.between(0.7F, 1.05F), 0, 1});
+    }
+  }
+  return canvas.take();
+}
+
 /// Bark: all covered, furrowed along the stem.
 Grid<Rgba> bark() {
   Grid<Rgba> picture(leaf_picture_side, leaf_picture_side);
@@ -216,7 +246,8 @@ Grid<Rgba> bark() {
   };
   for (int y = 0; y < leaf_picture_side; ++y) {
     for (int x = 0; x < leaf_picture_side; ++x) {
-      const float value = 0.62F + 0.5F * furrow(float(x) / 4, float(y) / 22, 0x6261726bULL) + 0.25F * furrow(float(x) / 2, float(y) / 5, 0x6261726cULL);
+      const float value = 0.62F + 0.5F * furrow(float(x) / 4, float(y) / 22, 0x6261726bULL) +
+                          0.25F * furrow(float(x) / 2, float(y) / 5, 0x6261726cULL);
       picture(x, y) = {std::uint8_t(std::lround(std::min(255.0F, 128 * value))), 0, 255, 255};
     }
   }
@@ -235,6 +266,7 @@ std::vector<Grid<Rgba>> leaf_pictures() {
   pictures[std::size_t(LeafPicture::blades)] = blades();
   pictures[std::size_t(LeafPicture::rosette)] = rosette();
   pictures[std::size_t(LeafPicture::flower)] = flowers();
+  pictures[std::size_t(LeafPicture::twigs)] = bare_twigs();
   return pictures;
 }
 

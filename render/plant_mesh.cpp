@@ -61,8 +61,13 @@ void PlantMeshBuilder::stem(const glm::vec3& from, const glm::vec3& to, float ra
       const glm::vec3 out = right * std::cos(turn) + forward * std::sin(turn);
       const glm::vec3 at = top ? to + out * radius_to : from + out * radius_from;
       const float shade = at.z < crown_.centre.z - crown_.radii.z ? 0.75F : 0.35F + 0.3F * openness(at);
-      corners[std::size_t(c)] = {at, out, {float(i + (next ? 1 : 0)) / float(sides), top ? glm::length(to - from) : 0.0F},
-                                 float(LeafPicture::bark), shade, 2, 0};
+      corners[std::size_t(c)] = {at,
+                                 out,
+                                 {float(i + (next ? 1 : 0)) / float(sides), top ? glm::length(to - from) : 0.0F},
+                                 float(LeafPicture::bark),
+                                 shade,
+                                 2,
+                                 0};
     }
     quad(corners);
   }
@@ -102,7 +107,8 @@ void PlantMeshBuilder::lobe(const CrownForm& form, int cards, float size, LeafPi
 
 PlantMesh make_plant_mesh(const PlantShape& shape, PlantDetail detail, std::uint64_t seed) {
   const std::string& model = shape.model;
-  if (model == "conifer") return shape.trunk_fraction >= 0.25F ? pine_mesh(shape, detail, seed) : spruce_mesh(shape, detail, seed);
+  if (model == "conifer")
+    return shape.trunk_fraction >= 0.25F ? pine_mesh(shape, detail, seed) : spruce_mesh(shape, detail, seed);
   if (model == "mountain-pine") return mountain_pine_mesh(shape, detail, seed);
   if (model == "juniper") return juniper_mesh(shape, detail, seed);
   if (model == "shrub") return shrub_mesh(shape, detail, seed);

@@ -9,8 +9,8 @@
 namespace biotope {
 
 /// Pictures of foliage that cards show, numbered as layers of leaf_pictures().
-enum class LeafPicture : std::uint8_t { bark, broad, small, needles, bough, blades, rosette, flower };
-inline constexpr int leaf_picture_count = 8;
+enum class LeafPicture : std::uint8_t { bark, broad, small, needles, bough, blades, rosette, flower, twigs };
+inline constexpr int leaf_picture_count = 9;
 
 /// What the plant shaders read per vertex.
 struct PlantVertex {
@@ -19,7 +19,7 @@ struct PlantVertex {
   glm::vec2 uv;
   float picture;  ///< layer of leaf_pictures()
   float open;     ///< baked shade: 1 in the open, 0 deep inside the crown
-  float fall;     ///< 0..1: the card is gone once more than this share of the leaves has fallen; 2 for wood, which stays
+  float fall;     ///< 0..1: the card shows bare twigs once more than this share of the leaves has fallen; 2 for wood, which stays
   float leaf;     ///< 0 wood, 1 foliage
 };
 
@@ -32,8 +32,8 @@ struct PlantMesh {
 /// How many triangles a mesh may have: near 150..600, mid 40..90; tufts of herbs have fewer.
 enum class PlantDetail : std::uint8_t { near, mid };
 
-/// The mesh of a grown plant of that shape, in metres. `seed` varies it. Unknown models are drawn as their nearest kin (broadleaf above 3 m,
-/// else herb).
+/// The mesh of a grown plant of that shape, in metres. `seed` varies it. Unknown models are drawn as their nearest kin (broadleaf
+/// above 3 m, else herb).
 [[nodiscard]] PlantMesh make_plant_mesh(const PlantShape& shape, PlantDetail detail, std::uint64_t seed);
 
 /// Radius around the stem's axis and height that hold the whole mesh, m.

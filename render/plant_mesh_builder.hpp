@@ -42,7 +42,8 @@ class PlantMeshBuilder {
   /// A stem of `sides` faces, open at both ends.
   void stem(const glm::vec3& from, const glm::vec3& to, float radius_from, float radius_to, int sides);
   void card(const FoliageCard& card);
-  /// Cards over the outside of an ellipsoid, facing outwards more or less: a lobe of a crown. `roughness` 0..1 turns them at random.
+  /// Cards over the outside of an ellipsoid, facing outwards more or less: a lobe of a crown. `roughness` 0..1 turns them at
+  /// random.
   void lobe(const CrownForm& form, int cards, float size, LeafPicture picture, float roughness);
   [[nodiscard]] PlantMesh take() { return std::move(mesh_); }
 

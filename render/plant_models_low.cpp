@@ -55,8 +55,8 @@ PlantMesh juniper_mesh(const PlantShape& shape, PlantDetail detail, std::uint64_
       const glm::vec3 out(std::cos(turn), std::sin(turn), 0);
       const float size = shape.height * (near ? 0.24F : 0.42F) * builder.random.between(0.85F, 1.15F);
       const glm::vec3 facing = glm::normalize(out + builder.random.direction() * 0.5F);
-      builder.card({out * reach * builder.random.between(0.5F, 0.8F) + glm::vec3(0, 0, shape.height * t * 0.92F + 0.3F * size), facing,
-                    glm::normalize(glm::vec3(0, 0, 1) + out * 0.25F), size * 0.62F, size, LeafPicture::bough});
+      builder.card({out * reach * builder.random.between(0.5F, 0.8F) + glm::vec3(0, 0, shape.height * t * 0.92F + 0.3F * size),
+                    facing, glm::normalize(glm::vec3(0, 0, 1) + out * 0.25F), size * 0.62F, size, LeafPicture::bough});
     }
   }
   return builder.take();
@@ -77,8 +77,8 @@ PlantMesh shrub_mesh(const PlantShape& shape, PlantDetail detail, std::uint64_t 
     builder.lobe({tip, {size, size, size * 0.8F * shape.height / shape.crown_diameter + 0.2F * size}}, near ? 13 : 7,
                  size * (near ? 1.15F : 1.4F), LeafPicture::small, 0.8F);
   }
-  builder.lobe({{0, 0, 0.3F * shape.height}, {radius * 0.7F, radius * 0.7F, 0.3F * shape.height}}, near ? 14 : 6, 0.6F * radius, LeafPicture::small,
-               0.6F);
+  builder.lobe({{0, 0, 0.3F * shape.height}, {radius * 0.7F, radius * 0.7F, 0.3F * shape.height}}, near ? 14 : 6, 0.6F * radius,
+               LeafPicture::small, 0.6F);
   return builder.take();
 }
 
@@ -95,12 +95,17 @@ PlantMesh tuft_mesh(const PlantShape& shape, PlantDetail detail, std::uint64_t s
   for (int i = 0; i < cards; ++i) {
     const float turn = glm::pi<float>() * (float(i) + builder.random.between(-0.15F, 0.15F)) / float(cards);
     const glm::vec3 facing(std::cos(turn), std::sin(turn), 0.1F);
-    builder.card({{0, 0, 0.48F * leaf_height}, glm::normalize(facing), {0, 0, 1}, shape.crown_diameter * 1.5F, leaf_height, leaves});
+    builder.card(
+        {{0, 0, 0.48F * leaf_height}, glm::normalize(facing), {0, 0, 1}, shape.crown_diameter * 1.5F, leaf_height, leaves});
   }
   if (!flower) return builder.take();
   for (int i = 0; i < (near ? 2 : 1); ++i) {
     const float turn = glm::half_pi<float>() * float(i) + 0.4F;
-    builder.card({{0, 0, 0.5F * shape.height}, {std::cos(turn), std::sin(turn), 0}, {0, 0, 1}, shape.crown_diameter * 1.3F, shape.height,
+    builder.card({{0, 0, 0.5F * shape.height},
+                  {std::cos(turn), std::sin(turn), 0},
+                  {0, 0, 1},
+                  shape.crown_diameter * 1.3F,
+                  shape.height,
                   LeafPicture::flower});
   }
   return builder.take();

@@ -10,13 +10,13 @@ namespace {
 /// What tells one broadleaved tree from another.
 struct BroadleafHabit {
   int lobes = 9;
-  int cards = 18;             ///< of a lobe
-  float lobe_size = 0.40F;    ///< of the crown's radii
-  float card_size = 0.42F;    ///< of the crown's horizontal radius
-  float point = 0;            ///< 0 round crown, 1 pointed
-  float wide_at = 0.5F;       ///< height of the widest part within the crown
+  int cards = 18;           ///< of a lobe
+  float lobe_size = 0.40F;  ///< of the crown's radii
+  float card_size = 0.42F;  ///< of the crown's horizontal radius
+  float point = 0;          ///< 0 round crown, 1 pointed
+  float wide_at = 0.5F;     ///< height of the widest part within the crown
   LeafPicture picture = LeafPicture::broad;
-  float trunk = 0.022F;       ///< radius / height
+  float trunk = 0.022F;  ///< radius / height
 };
 
 BroadleafHabit habit_of(const PlantShape& shape) {
@@ -63,7 +63,8 @@ PlantMesh broadleaf_mesh(const PlantShape& shape, PlantDetail detail, std::uint6
   for (int i = 0; i < habit.lobes; ++i) {
     const glm::vec3 place = lobe_place(i, habit.lobes, habit, builder.random);
     const float share = habit.lobe_size * builder.random.between(0.85F, 1.2F);
-    const CrownForm lobe{crown.centre + place * crown.radii * (1 - 0.8F * share), crown.radii * share * glm::vec3(1.12F, 1.12F, 0.95F)};
+    const CrownForm lobe{crown.centre + place * crown.radii * (1 - 0.8F * share),
+                         crown.radii * share * glm::vec3(1.12F, 1.12F, 0.95F)};
     if (near) builder.stem(fork, glm::mix(fork, lobe.centre, 0.95F), trunk * 0.42F, trunk * 0.12F, 3);
     builder.lobe(lobe, habit.cards, radius * habit.card_size, habit.picture, 0.7F);
   }
@@ -92,11 +93,14 @@ PlantMesh pine_mesh(const PlantShape& shape, PlantDetail detail, std::uint64_t s
     const float reach = radius * std::sqrt(std::max(0.05F, 1 - std::pow(t, 2.4F))) * builder.random.between(0.62F, 0.95F);
     const float turn = glm::radians(137.5F) * float(i) + builder.random.between(-0.4F, 0.4F);
     const glm::vec3 out(std::cos(turn), std::sin(turn), 0);
-    const glm::vec3 start = glm::mix(bend, top, glm::clamp((height - bend.z) / (top.z - bend.z), 0.0F, 1.0F)) * glm::vec3(1, 1, 0) + glm::vec3(0, 0, height);
+    const glm::vec3 start =
+        glm::mix(bend, top, glm::clamp((height - bend.z) / (top.z - bend.z), 0.0F, 1.0F)) * glm::vec3(1, 1, 0) +
+        glm::vec3(0, 0, height);
     const glm::vec3 tip = start + out * reach * 0.66F + glm::vec3(0, 0, 0.22F * reach);
     if (near) builder.stem(start, tip, trunk * 0.35F, trunk * 0.1F, 3);
     const float share = 0.44F * radius * builder.random.between(0.85F, 1.2F);
-    builder.lobe({tip, {share * 1.15F, share * 1.15F, share * 0.55F}}, near ? 12 : 5, share * (near ? 1.4F : 2.0F), LeafPicture::needles, 0.55F);
+    builder.lobe({tip, {share * 1.15F, share * 1.15F, share * 0.55F}}, near ? 12 : 5, share * (near ? 1.4F : 2.0F),
+                 LeafPicture::needles, 0.55F);
   }
   return builder.take();
 }
@@ -116,17 +120,25 @@ PlantMesh spruce_mesh(const PlantShape& shape, PlantDetail detail, std::uint64_t
     const float reach = radius * (1 - t) * builder.random.between(0.88F, 1.08F) + 0.12F * radius;
     const int boughs = near ? (t < 0.6F ? 9 : 6) : (t < 0.6F ? 6 : 4);
     for (int b = 0; b < boughs; ++b) {
-      const float turn = glm::two_pi<float>() * (float(b) + builder.random.between(-0.25F, 0.25F)) / float(boughs) + glm::radians(137.5F) * float(w);
+      const float turn = glm::two_pi<float>() * (float(b) + builder.random.between(-0.25F, 0.25F)) / float(boughs) +
+                         glm::radians(137.5F) * float(w);
       const float droop = builder.random.between(0.25F, 0.5F) * (1 - 0.8F * t);
       const glm::vec3 along = glm::normalize(glm::vec3(std::cos(turn), std::sin(turn), -droop));
-      const glm::vec3 over = glm::normalize(glm::vec3(std::cos(turn) * droop, std::sin(turn) * droop, 1) + builder.random.direction() * 0.25F);
-      builder.card({glm::vec3(0, 0, height) + along * reach * 0.5F, over, along, reach * (near ? 0.85F : 1.3F), reach * 1.08F, LeafPicture::bough});
+      const glm::vec3 over =
+          glm::normalize(glm::vec3(std::cos(turn) * droop, std::sin(turn) * droop, 1) + builder.random.direction() * 0.25F);
+      builder.card({glm::vec3(0, 0, height) + along * reach * 0.5F, over, along, reach * (near ? 0.85F : 1.3F), reach * 1.08F,
+                    LeafPicture::bough});
     }
   }
   // The leader: two upright cards.
   for (const float turn : {0.3F, 1.9F}) {
     const float size = 0.16F * shape.height;
-    builder.card({{0, 0, shape.height - 0.5F * size}, {std::cos(turn), std::sin(turn), 0}, {0, 0, 1}, size * 0.5F, size, LeafPicture::bough});
+    builder.card({{0, 0, shape.height - 0.5F * size},
+                  {std::cos(turn), std::sin(turn), 0},
+                  {0, 0, 1},
+                  size * 0.5F,
+                  size,
+                  LeafPicture::bough});
   }
   return builder.take();
 }

@@ -92,46 +92,38 @@ float PlantPlacement::cells_wanted(Stratum stratum, int x, int y) const {
   return wanted;
 }
 
-void PlantPlacement::woody_cell(Stratum stratum, const Cell& cell, float taken, std::vector<PlantInstance>& out) const {
-  const Terrain& terrain = snapshot_->terrain();
+std::vector<PlantPlacement::Candidate> PlantPlacement::candidates(Stratum stratum, const Cell& cell, float size,
+                                                                  const glm::vec2& jitter) const {
+  const double cell_size = snapshot_->terrain().cell_size;
+  const int rows = snapshot_->terrain().height.height();
   const float width = cell_width(cell.level);
   const float height = cell_height(cell.level);
+  std::vector<Candidate> out;
+  for (const Kind& kind : kinds_[std::size_t(stratum)]) {
+    if (kind.level != cell.level) continue;
+    const float inset = trunk_clearance * kind.crown_radius * size * std::sqrt(most_crowded);
+    const float x = (float(cell.column) + 0.5F) * width + jitter.x * std::max(0.0F, 0.5F * width - inset);
+    const float y = (float(cell.row) + 0.5F) * height + jitter.y * std::max(0.0F, 0.5F * height - inset);
+    const int map_x = int(std::floor(x / cell_size));
+    const int map_y = rows - 1 - int(std::floor(y / cell_size));
+    if (!kind.cover->rect().contains(map_x, map_y) || (*kind.cover)(map_x, map_y) == 0 || !grows_at(map_x, map_y)) continue;
+    const float crowding = std::clamp(cells_wanted(stratum, map_x, map_y), 1.0F, most_crowded);
+    const float share = cover_fraction((*kind.cover)(map_x, map_y)) * width * height / (kind.crown_area * crowding);
+    out.push_back({&kind, x, y, share, crowding});
+  }
+  return out;
+}
+
+void PlantPlacement::woody_cell(Stratum stratum, const Cell& cell, float taken, std::vector<PlantInstance>& out) const {
   const auto random = [&](std::uint64_t what) {
     return float(random_unit({snapshot_->document.seed, 0x706c616e74ULL + std::uint64_t(stratum), std::uint64_t(cell.level),
                               std::uint64_t(cell.column), std::uint64_t(cell.row), what}));
   };
   const float size = smallest + (largest - smallest) * random(1);
-  const float east = 2 * random(2) - 1;
-  const float north = 2 * random(3) - 1;
-
-  /// A species that could stand in this cell: where it would, its share of such cells, and how crowded it would stand.
-  struct Candidate {
-    const Kind* kind;
-    float x;
-    float y;
-    float share;
-    float crowding;
-  };
-  std::array<Candidate, 64> candidates;
-  std::size_t count = 0;
-  float wanted = 0;
-  for (const Kind& kind : kinds_[std::size_t(stratum)]) {
-    if (kind.level != cell.level || count == candidates.size()) continue;
-    const float inset = trunk_clearance * kind.crown_radius * size * std::sqrt(most_crowded);
-    const float x = (float(cell.column) + 0.5F) * width + east * std::max(0.0F, 0.5F * width - inset);
-    const float y = (float(cell.row) + 0.5F) * height + north * std::max(0.0F, 0.5F * height - inset);
-    const int map_x = int(std::floor(x / float(terrain.cell_size)));
-    const int map_y = terrain.height.height() - 1 - int(std::floor(y / float(terrain.cell_size)));
-    if (!kind.cover->rect().contains(map_x, map_y) || (*kind.cover)(map_x, map_y) == 0 || !grows_at(map_x, map_y)) continue;
-    const float crowding = std::clamp(cells_wanted(stratum, map_x, map_y), 1.0F, most_crowded);
-    const float share = cover_fraction((*kind.cover)(map_x, map_y)) * width * height / (kind.crown_area * crowding);
-    candidates[count++] = {&kind, x, y, share, crowding};
-    wanted += share;
-  }
   // Given that no larger cell around this one is taken, the chance is higher by as much.
   float chance = random(4) * std::max(1 - taken, 1e-3F);
-  for (std::size_t i = 0; i < count; ++i) {
-    const Candidate& candidate = candidates[i];
+  for (const Candidate& candidate : candidates(stratum, cell, size, {2 * random(2) - 1, 2 * random(3) - 1})) {
+    taken += candidate.share;
     if (chance >= candidate.share) {
       chance -= candidate.share;
       continue;
@@ -145,12 +137,12 @@ void PlantPlacement::woody_cell(Stratum stratum, const Cell& cell, float taken, 
     return;
   }
   if (cell.level >= deepest_[std::size_t(stratum)]) return;
-  const float now_taken = std::min(1.0F, taken + wanted);
   // Odd levels have halved the width of even ones; even levels the height of odd ones.
   const bool halve_width = cell.level % 2 == 0;
   for (int half = 0; half < 2; ++half) {
-    const Cell child{cell.level + 1, halve_width ? 2 * cell.column + half : cell.column, halve_width ? cell.row : 2 * cell.row + half};
-    woody_cell(stratum, child, now_taken, out);
+    const Cell child{cell.level + 1, halve_width ? 2 * cell.column + half : cell.column,
+                     halve_width ? cell.row : 2 * cell.row + half};
+    woody_cell(stratum, child, std::min(1.0F, taken), out);
   }
 }
 
@@ -163,7 +155,8 @@ std::vector<PlantInstance> PlantPlacement::herbs(int column, int row) const {
       const int lattice_x = column * tufts + i;
       const int lattice_y = row * tufts + j;
       const auto random = [&](std::uint64_t what) {
-        return float(random_unit({snapshot_->document.seed, 0x74756674ULL, std::uint64_t(lattice_x), std::uint64_t(lattice_y), what}));
+        return float(
+            random_unit({snapshot_->document.seed, 0x74756674ULL, std::uint64_t(lattice_x), std::uint64_t(lattice_y), what}));
       };
       const float x = (float(lattice_x) + random(1)) * tuft_spacing;
       const float y = (float(lattice_y) + random(2)) * tuft_spacing;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <glm/glm.hpp>
 #include <memory>
 #include <vector>
 
@@ -24,13 +25,14 @@ struct PlantInstance {
   float plant = 0;   ///< index in level 0 of the web
 };
 
-/// Where plants stand: a function of place, seed and maps alone, so that neither the order of building nor an edit elsewhere moves a plant.
+/// Where plants stand: a function of place, seed and maps alone, so that neither the order of building nor an edit elsewhere
+/// moves a plant.
 ///
-/// Trees stand on a hierarchy of cells whose area halves from level to level (32 x 32 m, 16 x 32, 16 x 16, ...). A species belongs to the
-/// level whose cells are nearest to its crown's area; a cell holds one plant of its level with the probability that makes the expected crown
-/// area equal the cover map's, or else is left to the smaller species inside of it. A trunk keeps 0.4 crown radii from its cell's border, so
-/// that no two trunks stand closer than 0.4 times the sum of their radii. Shrubs do the same under the trees; herbs are tufts on a lattice
-/// of 0.4 m, whose density is for the eye.
+/// Trees stand on a hierarchy of cells whose area halves from level to level (32 x 32 m, 16 x 32, 16 x 16, ...). A species
+/// belongs to the level whose cells are nearest to its crown's area; a cell holds one plant of its level with the probability
+/// that makes the expected crown area equal the cover map's, or else is left to the smaller species inside of it. A trunk keeps
+/// 0.4 crown radii from its cell's border, so that no two trunks stand closer than 0.4 times the sum of their radii. Shrubs do
+/// the same under the trees; herbs are tufts on a lattice of 0.4 m, whose density is for the eye.
 class PlantPlacement {
  public:
   PlantPlacement() = default;
@@ -55,6 +57,16 @@ class PlantPlacement {
     int column = 0;
     int row = 0;
   };
+  /// A species that could stand in a cell: where it would, its share of such cells, and how crowded it would stand.
+  struct Candidate {
+    const Kind* kind;
+    float x;
+    float y;
+    float share;
+    float crowding;
+  };
+  [[nodiscard]] std::vector<Candidate> candidates(Stratum stratum, const Cell& cell, float size, const glm::vec2& jitter) const;
+  /// `taken`: share of such places that the plants of the larger cells around this one take.
   void woody_cell(Stratum stratum, const Cell& cell, float taken, std::vector<PlantInstance>& out) const;
   [[nodiscard]] std::vector<PlantInstance> herbs(int column, int row) const;
   /// Share of the ground that the cells of all plants of a stratum would take: above 1, crowns must grow into each other's room.

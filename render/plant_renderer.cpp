@@ -9,10 +9,16 @@ namespace biotope {
 
 namespace {
 
-constexpr float shade_side = 512;  ///< m
+/// Side of the shaded square for an eye near the ground, and for the highest, m.
+constexpr double shade_side = 512;
+constexpr double most_shade_side = 2048;
 constexpr int shade_texels = 1024;
-/// The shaded square moves in steps, so that its shadows do not crawl.
-constexpr double shade_step = 32;
+
+/// True when a snapshot under way does not know its plants yet.
+bool lacks_plants(const MapsSnapshot& snapshot) {
+  return !snapshot.web || snapshot.cover.empty() ||
+         std::any_of(snapshot.cover.begin(), snapshot.cover.end(), [](const auto& cover) { return cover == nullptr; });
+}
 
 }  // namespace
 
@@ -25,8 +31,9 @@ Result<std::unique_ptr<PlantRenderer>> PlantRenderer::create() {
     ShaderProgram& program;
     const char* name;
   };
-  for (const Wanted& wanted : {Wanted{renderer->mesh_program_, "landscape/plant_mesh"}, Wanted{renderer->far_program_, "landscape/plant_far"},
-                               Wanted{renderer->shade_program_, "landscape/plant_shade"}}) {
+  for (const Wanted& wanted :
+       {Wanted{renderer->mesh_program_, "landscape/plant_mesh"}, Wanted{renderer->far_program_, "landscape/plant_far"},
+        Wanted{renderer->shade_program_, "landscape/plant_shade"}}) {
     auto program = load_shader_program(std::string(wanted.name) + ".vert", std::string(wanted.name) + ".frag");
     if (!program) return tl::unexpected(program.error());
     wanted.program = std::move(*program);
@@ -44,6 +51,10 @@ Result<std::unique_ptr<PlantRenderer>> PlantRenderer::create() {
 }
 
 void PlantRenderer::set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot) {
+  // Until the plants of an edit are known, those from before it stay in sight.
+  const bool waits =
+      snapshot_ && !snapshot->complete && lacks_plants(*snapshot) && snapshot_->document.terrain == snapshot->document.terrain;
+  if (waits) return;
   const bool new_web = snapshot->web && (!snapshot_ || snapshot_->web != snapshot->web);
   if (new_web) kinds_.set_web(*snapshot->web);
   snapshot_ = snapshot;
@@ -64,8 +75,13 @@ void PlantRenderer::finish_loading(const PlantLook& look, const glm::dvec3& eye)
   shaded_area_ = glm::vec4(0);
 }
 
-bool PlantRenderer::prepare(const PlantLook& look, const glm::dvec3& eye, const FrameUniforms& frame, const Frustum& frustum, double budget_ms) {
-  if (!snapshot_ || !snapshot_->web) return true;
+bool PlantRenderer::prepare(const PlantLook& look, const glm::dvec3& eye, const FrameUniforms& frame, const Frustum& frustum,
+                            double budget_ms) {
+  if (!snapshot_ || !snapshot_->web) {
+    selection_ = {};
+    upload_selection();
+    return true;
+  }
   kinds_.set_month(*snapshot_->web, look.month);
   const PlantBudget budget = PlantBudget::of(look.quality);
   const auto until = std::chrono::steady_clock::now() + std::chrono::microseconds(std::int64_t(1000 * budget_ms));
@@ -73,7 +89,9 @@ bool PlantRenderer::prepare(const PlantLook& look, const glm::dvec3& eye, const 
   for (const Stratum stratum : {Stratum::herb, Stratum::tree, Stratum::shrub}) {
     if (sees(stratum, budget, eye)) complete = blocks_.build(stratum, eye.x, eye.y, budget.reach(stratum), until) && complete;
   }
-  if (!complete || visible_ != look.visible) shaded_area_ = glm::vec4(0);
+  // What was built since the last frame casts shade too.
+  if (!complete || !complete_ || visible_ != look.visible) shaded_area_ = glm::vec4(0);
+  complete_ = complete;
   visible_ = look.visible;
   selection_ = select_plants(blocks_, kinds_.kinds(), look.visible, budget, frame, frustum);
   upload_selection();
@@ -91,9 +109,33 @@ void PlantRenderer::upload_selection() {
   instance_bytes_ = all.size() * sizeof(PlantInstance);
 }
 
-glm::vec4 PlantRenderer::shade_area(const glm::dvec3& eye) {
-  const auto edge = [](double v) { return float(std::floor((v - 0.5 * shade_side) / shade_step + 0.5) * shade_step); };
-  return {edge(eye.x), edge(eye.y), shade_side, 0.72F};
+glm::vec4 PlantRenderer::shade_area(const glm::dvec3& eye, double above) {
+  // From higher up one sees more ground, less sharply.
+  double side = shade_side;
+  while (side < most_shade_side && above > side / 8) side *= 2;
+  const double step = side / 16;
+  const auto edge = [&](double v) { return float(std::floor((v - 0.5 * side) / step + 0.5) * step); };
+  return {edge(eye.x), edge(eye.y), float(side), 0.72F};
+}
+
+std::vector<PlantInstance> PlantRenderer::shading_plants(const glm::vec4& area) const {
+  std::vector<PlantInstance> out;
+  constexpr float longest_shadow = 60;
+  constexpr float margin = woody_block_side + longest_shadow;
+  for (const Stratum stratum : {Stratum::tree, Stratum::shrub}) {
+    for (const auto& [place, block] : blocks_.blocks(stratum)) {
+      const glm::vec2 corner(float(place.second) * woody_block_side, float(place.first) * woody_block_side);
+      if (corner.x < area.x - margin || corner.y < area.y - margin) continue;
+      if (corner.x > area.x + area.z + longest_shadow || corner.y > area.y + area.z + longest_shadow) continue;
+      for (const PlantInstance& plant : block.plants) {
+        const auto kind = std::size_t(plant.plant);
+        if (kind >= kinds_.kinds().size()) continue;
+        const auto species = std::size_t(kinds_.kinds()[kind].species);
+        if (species >= visible_.size() || visible_[species]) out.push_back(plant);
+      }
+    }
+  }
+  return out;
 }
 
 DrawCount PlantRenderer::draw_shade(const glm::vec4& area, const glm::vec3& light_direction) {
@@ -101,28 +143,10 @@ DrawCount PlantRenderer::draw_shade(const glm::vec4& area, const glm::vec3& ligh
   if (shaded_area_ == area && glm::dot(shaded_light_, light_direction) > 0.99998F) return {};
   shaded_area_ = area;
   shaded_light_ = light_direction;
-  std::vector<PlantInstance> casting;
-  for (const Stratum stratum : {Stratum::tree, Stratum::shrub}) {
-    for (const auto& [place, block] : blocks_.blocks(stratum)) {
-      const glm::vec2 corner(float(place.second) * woody_block_side, float(place.first) * woody_block_side);
-      constexpr float margin = woody_block_side + 60;
-      if (corner.x < area.x - margin || corner.y < area.y - margin || corner.x > area.x + area.z + 60 || corner.y > area.y + area.z + 60) continue;
-      for (const PlantInstance& plant : block.plants) {
-        const auto kind = std::size_t(plant.plant);
-        if (kind >= kinds_.kinds().size()) continue;
-        const auto species = std::size_t(kinds_.kinds()[kind].species);
-        if (species < visible_.size() && !visible_[species]) continue;
-        casting.push_back(plant);
-      }
-    }
-  }
-  stream(shade_instances_, std::span<const PlantInstance>(casting));
-  GLint before = 0;
-  std::array<GLint, 4> viewport{};
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before);
-  glGetIntegerv(GL_VIEWPORT, viewport.data());
+  const std::vector<PlantInstance> plants = shading_plants(area);
+  stream(shade_instances_, std::span<const PlantInstance>(plants));
+  const DrawnElsewhere elsewhere(shade_texels, shade_texels);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, shade_framebuffer_.name());
-  glViewport(0, 0, shade_texels, shade_texels);
   constexpr std::array<float, 4> clear{0, 0, 0, 0};
   glClearNamedFramebufferfv(shade_framebuffer_.name(), GL_COLOR, 0, clear.data());
   kinds_.bind();
@@ -133,13 +157,11 @@ DrawCount PlantRenderer::draw_shade(const glm::vec4& area, const glm::vec3& ligh
   glBlendEquation(GL_MAX);
   glBindVertexArray(shade_array_.name());
   glVertexArrayVertexBuffer(shade_array_.name(), 1, shade_instances_.name(), 0, sizeof(PlantInstance));
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(casting.size()));
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(plants.size()));
   glBlendEquation(GL_FUNC_ADD);
   glDisable(GL_BLEND);
   glEnable(GL_DEPTH_TEST);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(before));
-  glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
-  return {1, 2 * casting.size()};
+  return {1, 2 * plants.size()};
 }
 
 DrawCount PlantRenderer::draw() const {
@@ -161,7 +183,8 @@ DrawCount PlantRenderer::draw_meshes() const {
       const PlantMeshBuffers& mesh = near ? kind.near : kind.mid;
       set_colours(mesh_program_, kind);
       mesh_program_.set("under_crowns", kind.stratum == Stratum::herb ? 1.0F : 0.0F);
-      glVertexArrayVertexBuffer(mesh.array.name(), 1, instances_.name(), GLintptr(first * sizeof(PlantInstance)), sizeof(PlantInstance));
+      glVertexArrayVertexBuffer(mesh.array.name(), 1, instances_.name(), GLintptr(first * sizeof(PlantInstance)),
+                                sizeof(PlantInstance));
       glBindVertexArray(mesh.array.name());
       glDrawElementsInstanced(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_SHORT, nullptr, GLsizei(lists[i].size()));
       ++drawn.draw_calls;
@@ -177,7 +200,8 @@ DrawCount PlantRenderer::draw_far() const {
   const std::size_t first = instance_bytes_ / sizeof(PlantInstance) - selection_.far.size();
   far_program_.use();
   far_program_.set("picture_side", float(PlantKinds::picture_side()));
-  glVertexArrayVertexBuffer(far_array_.name(), 1, instances_.name(), GLintptr(first * sizeof(PlantInstance)), sizeof(PlantInstance));
+  glVertexArrayVertexBuffer(far_array_.name(), 1, instances_.name(), GLintptr(first * sizeof(PlantInstance)),
+                            sizeof(PlantInstance));
   glBindVertexArray(far_array_.name());
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(selection_.far.size()));
   return {1, 2 * selection_.far.size()};

@@ -17,7 +17,8 @@ struct PlantLook {
   float quality = 1;
 };
 
-/// Draws the plants: near ones as meshes, farther ones as pictures that face the eye, beyond that the ground's canopy colour stands for them.
+/// Draws the plants: near ones as meshes, farther ones as pictures that face the eye, beyond that the ground's canopy colour
+/// stands for them.
 class PlantRenderer {
  public:
   [[nodiscard]] static Result<std::unique_ptr<PlantRenderer>> create();
@@ -25,14 +26,15 @@ class PlantRenderer {
   void set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot);
   /// Builds every block that an eye there needs, on all threads.
   void finish_loading(const PlantLook& look, const glm::dvec3& eye);
-  /// Builds missing blocks for at most `budget_ms`, and chooses what is drawn. Call before the frame's other draws. Returns false when blocks
-  /// are still missing.
-  bool prepare(const PlantLook& look, const glm::dvec3& eye, const FrameUniforms& frame, const Frustum& frustum, double budget_ms);
+  /// Builds missing blocks for at most `budget_ms`, and chooses what is drawn. Call before the frame's other draws. Returns false
+  /// when blocks are still missing.
+  bool prepare(const PlantLook& look, const glm::dvec3& eye, const FrameUniforms& frame, const Frustum& frustum,
+               double budget_ms);
   /// Draws the shade of crowns around the eye into a texture and binds it to TerrainRenderer::canopy_shade_unit.
   /// `area` is what FrameUniforms::shade_area must hold.
   DrawCount draw_shade(const glm::vec4& area, const glm::vec3& light_direction);
-  /// The square that is shaded around an eye: west, south, side in metres, strength.
-  [[nodiscard]] static glm::vec4 shade_area(const glm::dvec3& eye);
+  /// The square that is shaded around an eye `above` metres over the ground: west, south, side in metres, strength.
+  [[nodiscard]] static glm::vec4 shade_area(const glm::dvec3& eye, double above);
   DrawCount draw() const;
 
   /// Distances over which plants give way to the ground's canopy colour, m.
@@ -44,6 +46,7 @@ class PlantRenderer {
   PlantRenderer() = default;
   [[nodiscard]] bool sees(Stratum stratum, const PlantBudget& budget, const glm::dvec3& eye) const;
   void upload_selection();
+  [[nodiscard]] std::vector<PlantInstance> shading_plants(const glm::vec4& area) const;
   DrawCount draw_meshes() const;
   DrawCount draw_far() const;
 
@@ -65,6 +68,7 @@ class PlantRenderer {
   glm::vec4 shaded_area_{0};
   glm::vec3 shaded_light_{0};
   SpeciesVisibility visible_;
+  bool complete_ = false;
 };
 
 }  // namespace biotope

@@ -22,15 +22,16 @@ struct Chosen {
 /// Keeps the nearest `most`; the others go to `rest`.
 void cut(std::vector<Chosen>& list, std::size_t most, std::vector<Chosen>& rest) {
   if (list.size() <= most) return;
-  std::nth_element(list.begin(), list.begin() + std::ptrdiff_t(most), list.end(), [](const Chosen& a, const Chosen& b) { return a.distance < b.distance; });
+  std::nth_element(list.begin(), list.begin() + std::ptrdiff_t(most), list.end(),
+                   [](const Chosen& a, const Chosen& b) { return a.distance < b.distance; });
   rest.insert(rest.end(), list.begin() + std::ptrdiff_t(most), list.end());
   list.resize(most);
 }
 
 class Selector {
  public:
-  Selector(const std::vector<PlantKind>& kinds, const SpeciesVisibility& visible, const PlantBudget& budget, const FrameUniforms& frame,
-           const Frustum& frustum)
+  Selector(const std::vector<PlantKind>& kinds, const SpeciesVisibility& visible, const PlantBudget& budget,
+           const FrameUniforms& frame, const Frustum& frustum)
       : kinds_(kinds), budget_(budget), eye_(frame.eye), frustum_(frustum) {
     for (const PlantKind& kind : kinds) {
       const auto number = std::size_t(kind.species);
@@ -111,8 +112,11 @@ class Selector {
  private:
   bool meets(std::pair<int, int> place, const PlantBlock& block, float side, float reach) const {
     if (block.plants.empty()) return false;
-    const glm::vec3 low = glm::vec3(float(place.second) * side - largest_radius_, float(place.first) * side - largest_radius_, block.low) - eye_;
-    const glm::vec3 high = glm::vec3(float(place.second + 1) * side + largest_radius_, float(place.first + 1) * side + largest_radius_, block.high + tallest_) - eye_;
+    const glm::vec3 low =
+        glm::vec3(float(place.second) * side - largest_radius_, float(place.first) * side - largest_radius_, block.low) - eye_;
+    const glm::vec3 high = glm::vec3(float(place.second + 1) * side + largest_radius_,
+                                     float(place.first + 1) * side + largest_radius_, block.high + tallest_) -
+                           eye_;
     const glm::vec3 nearest = glm::max(glm::max(low, -high), glm::vec3(0));
     return glm::length(nearest) <= reach && frustum_.meets_box(low, high);
   }

@@ -14,9 +14,9 @@ struct PlantBudget {
   std::size_t mid = 900;
   std::size_t far = 25000;
   std::size_t tufts = 4500;
-  float tree_reach = 1900;   ///< m
-  float shrub_reach = 420;   ///< m
-  float herb_reach = 60;     ///< m
+  float tree_reach = 1900;  ///< m
+  float shrub_reach = 420;  ///< m
+  float herb_reach = 60;    ///< m
   [[nodiscard]] static PlantBudget of(float quality);
   [[nodiscard]] float reach(Stratum stratum) const {
     return stratum == Stratum::tree ? tree_reach : stratum == Stratum::shrub ? shrub_reach : herb_reach;
@@ -35,7 +35,8 @@ struct PlantSelection {
 };
 
 /// Chooses level of detail by size on the screen and by the budget: a function of blocks and view alone.
-[[nodiscard]] PlantSelection select_plants(const PlantBlocks& blocks, const std::vector<PlantKind>& kinds, const SpeciesVisibility& visible,
-                                           const PlantBudget& budget, const FrameUniforms& frame, const Frustum& frustum);
+[[nodiscard]] PlantSelection select_plants(const PlantBlocks& blocks, const std::vector<PlantKind>& kinds,
+                                           const SpeciesVisibility& visible, const PlantBudget& budget,
+                                           const FrameUniforms& frame, const Frustum& frustum);
 
 }  // namespace biotope

@@ -31,9 +31,12 @@ Texture upload_rgba(const Grid<Rgba>& texels, const Sampling& sampling) {
 
 Result<std::unique_ptr<TerrainRenderer>> TerrainRenderer::create() {
   std::unique_ptr<TerrainRenderer> renderer(new TerrainRenderer);
-  auto program = load_shader_program("landscape/terrain.vert", "landscape/terrain.frag");
-  if (!program) return tl::unexpected(program.error());
-  renderer->program_ = std::move(*program);
+  constexpr std::array<const char*, 4> surfaces{"dry_near", "wet_near", "dry_far", "wet_far"};
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    auto program = load_shader_program("landscape/terrain.vert", std::string("landscape/terrain_") + surfaces[i] + ".frag");
+    if (!program) return tl::unexpected(program.error());
+    renderer->programs_[i] = std::move(*program);
+  }
   renderer->detail_ = upload_rgba(detail_noise(), {GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT});
   renderer->make_patch();
   return renderer;
@@ -48,7 +51,8 @@ void TerrainRenderer::make_patch() {
   const auto corner = [](int x, int y) { return std::uint16_t(y * (patch_cells + 1) + x); };
   for (int y = 0; y < patch_cells; ++y) {
     for (int x = 0; x < patch_cells; ++x) {
-      for (const auto i : {corner(x, y), corner(x + 1, y), corner(x + 1, y + 1), corner(x, y), corner(x + 1, y + 1), corner(x, y + 1)}) {
+      for (const auto i :
+           {corner(x, y), corner(x + 1, y), corner(x + 1, y + 1), corner(x, y), corner(x + 1, y + 1), corner(x, y + 1)}) {
         indices.push_back(i);
       }
     }
@@ -113,11 +117,19 @@ void TerrainRenderer::make_lines() {
   const int height = terrain.height.height() * scale;
   const Grid<std::uint8_t> shore =
       snapshot_->hydrology ? shore_field(terrain, *snapshot_->hydrology, scale) : Grid<std::uint8_t>(width, height, 0);
-  const Grid<std::uint8_t> wear = snapshot_->trails ? wear_field(terrain, *snapshot_->trails, scale) : Grid<std::uint8_t>(width, height, 0);
+  const Grid<std::uint8_t> wear =
+      snapshot_->trails ? wear_field(terrain, *snapshot_->trails, scale) : Grid<std::uint8_t>(width, height, 0);
+  near_water_ = Grid<std::uint8_t>((terrain.height.width() + patch_cells - 1) / patch_cells,
+                                   (terrain.height.height() + patch_cells - 1) / patch_cells, 0);
   std::vector<std::uint8_t> both(shore.size() * 2);
   for (std::size_t i = 0; i < shore.size(); ++i) {
     both[2 * i] = shore[i];
     both[2 * i + 1] = wear[i];
+  }
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      if (shore(x, y) > 0) near_water_(x / scale / patch_cells, (terrain.height.height() - 1 - y / scale) / patch_cells) = 1;
+    }
   }
   lines_ = make_texture_2d(GL_RG8, width, height, 0, mirrored_mipmapped);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -129,7 +141,8 @@ std::vector<Rect> TerrainRenderer::changed_texels() const {
   std::vector<Rect> changed;
   if (snapshot_->cover.empty() || coloured_ == snapshot_) return changed;
   // All covers have the terrain's size, so a tile's number means the same place in each.
-  const auto sized = std::find_if(snapshot_->cover.begin(), snapshot_->cover.end(), [](const auto& map) { return map != nullptr; });
+  const auto sized =
+      std::find_if(snapshot_->cover.begin(), snapshot_->cover.end(), [](const auto& map) { return map != nullptr; });
   if (sized == snapshot_->cover.end()) return changed;
   for (std::size_t tile = 0; tile < (*sized)->tile_count(); ++tile) {
     bool differs = false;
@@ -141,8 +154,9 @@ std::vector<Rect> TerrainRenderer::changed_texels() const {
     }
     if (!differs) continue;
     const Rect cells = (*sized)->tile_rect(tile);
-    changed.push_back(intersection({cells.x0 / stride_, cells.y0 / stride_, (cells.x1 + stride_ - 1) / stride_, (cells.y1 + stride_ - 1) / stride_},
-                                   colours_.ground.rect()));
+    changed.push_back(intersection(
+        {cells.x0 / stride_, cells.y0 / stride_, (cells.x1 + stride_ - 1) / stride_, (cells.y1 + stride_ - 1) / stride_},
+        colours_.ground.rect()));
   }
   return changed;
 }
@@ -204,7 +218,12 @@ DrawCount TerrainRenderer::draw(const TerrainLook& look, const glm::dvec3& eye, 
   settings.width = terrain.width_metres();
   settings.height = terrain.height_metres();
   settings.finest_side = patch_cells * terrain.cell_size;
-  const std::vector<GroundPatch> patches = select_patches(settings, bounds_, eye, frustum);
+  std::array<std::vector<GroundPatch>, 4> by_variant;
+  for (const GroundPatch& patch : select_patches(settings, bounds_, eye, frustum)) {
+    by_variant[std::size_t(variant(patch, look, eye))].push_back(patch);
+  }
+  std::vector<GroundPatch> patches;
+  for (const auto& list : by_variant) patches.insert(patches.end(), list.begin(), list.end());
   stream(patch_instances_, std::span<const GroundPatch>(patches));
 
   bind_shared();
@@ -212,14 +231,47 @@ DrawCount TerrainRenderer::draw(const TerrainLook& look, const glm::dvec3& eye, 
   glBindTextureUnit(2, ground_.name());
   glBindTextureUnit(4, canopy_.name());
   glBindTextureUnit(5, lines_.name());
-  program_.use();
-  program_.set("patch_cells", float(patch_cells));
-  program_.set("canopy_range", glm::vec4(look.canopy_from, look.canopy_whole, look.canopy_strength, 0));
-  program_.set("show", glm::vec4(look.water ? 1 : 0, look.trails ? 1 : 0, 0, 0));
-  program_.set("brush", look.brush ? glm::vec4(*look.brush, 1) : glm::vec4(0));
   glBindVertexArray(patch_array_.name());
-  glDrawElementsInstanced(GL_TRIANGLES, patch_index_count_, GL_UNSIGNED_SHORT, nullptr, GLsizei(patches.size()));
-  return {1, patches.size() * std::size_t(patch_index_count_ / 3)};
+  int draw_calls = 0;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < by_variant.size(); ++i) {
+    if (by_variant[i].empty()) continue;
+    set_look(programs_[i], look);
+    programs_[i].use();
+    glDrawElementsInstancedBaseInstance(GL_TRIANGLES, patch_index_count_, GL_UNSIGNED_SHORT, nullptr,
+                                        GLsizei(by_variant[i].size()), GLuint(first));
+    first += by_variant[i].size();
+    ++draw_calls;
+  }
+  return {draw_calls, patches.size() * std::size_t(patch_index_count_ / 3)};
+}
+
+int TerrainRenderer::variant(const GroundPatch& patch, const TerrainLook& look, const glm::dvec3& eye) const {
+  const glm::vec2 middle(patch.west + 0.5F * patch.side, patch.south + 0.5F * patch.side);
+  const glm::vec2 heights = bounds_.of(patch.west, patch.south, patch.side);
+  const glm::vec3 offset = glm::vec3(middle, 0.5F * (heights.x + heights.y)) - glm::vec3(eye);
+  const float farthest = glm::length(offset) + glm::length(glm::vec3(patch.side, patch.side, heights.y - heights.x)) * 0.5F;
+  const bool canopy = look.canopy_strength > 0 && farthest > look.canopy_from;
+  bool water = false;
+  if (look.water) {
+    const float square = patch_cells * float(snapshot_->terrain().cell_size);
+    const int x0 = int(std::floor(patch.west / square + 0.5F));
+    const int y0 = int(std::floor(patch.south / square + 0.5F));
+    const int count = std::max(1, int(std::lround(patch.side / square)));
+    // Beyond the border the ground is mirrored: there every patch counts as wet.
+    water = x0 < 0 || y0 < 0 || x0 + count > near_water_.width() || y0 + count > near_water_.height();
+    for (int y = y0; y < y0 + count && !water; ++y) {
+      for (int x = x0; x < x0 + count && !water; ++x) water = near_water_(x, y) != 0;
+    }
+  }
+  return (water ? 1 : 0) + (canopy ? 2 : 0);
+}
+
+void TerrainRenderer::set_look(const ShaderProgram& program, const TerrainLook& look) const {
+  program.set("patch_cells", float(patch_cells));
+  program.set("canopy_range", glm::vec4(look.canopy_from, look.canopy_whole, look.canopy_strength, 0));
+  program.set("show", glm::vec4(look.water ? 1 : 0, look.trails ? 1 : 0, 0, 0));
+  program.set("brush", look.brush ? glm::vec4(*look.brush, 1) : glm::vec4(0));
 }
 
 }  // namespace biotope

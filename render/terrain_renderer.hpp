@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -60,6 +61,8 @@ class TerrainRenderer {
   void upload_colours(const Rect& texels);
   void shade(const glm::vec3& light_direction);
   [[nodiscard]] std::vector<Rect> changed_texels() const;
+  [[nodiscard]] int variant(const GroundPatch& patch, const TerrainLook& look, const glm::dvec3& eye) const;
+  void set_look(const ShaderProgram& program, const TerrainLook& look) const;
 
   std::shared_ptr<const MapsSnapshot> snapshot_;
   /// The snapshot whose covers the colours show.
@@ -76,7 +79,10 @@ class TerrainRenderer {
   Grid<float> thin_surface_;
   HeightBounds bounds_;
   GroundColours colours_;
-  ShaderProgram program_;
+  /// Squares of patch_cells cells with water in them or near, counted from the south-west.
+  Grid<std::uint8_t> near_water_;
+  /// By variant: 1 when water may be near, 2 when crowns are painted on the ground.
+  std::array<ShaderProgram, 4> programs_;
   VertexArray patch_array_;
   Buffer patch_vertices_;
   Buffer patch_indices_;

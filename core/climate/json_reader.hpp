@@ -258,6 +258,8 @@ class JsonReader {
     const std::size_t line_start = before.rfind('\n') == before.npos ? 0 : before.rfind('\n') + 1;
     return fail(std::string(origin) + ":" + std::to_string(line) + ":" + std::to_string(before.size() - line_start + 1) +
                 ": not valid JSON; look for a missing comma, quote or bracket here");
+  } catch (const Json::out_of_range&) {
+    return fail(std::string(origin) + ": a number is too large to be read");
   }
 }
 
@@ -266,6 +268,9 @@ template <class Path>
 [[nodiscard]] Result<std::string> read_text_file(const Path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return fail(file.string() + ": cannot be opened; check that it exists and may be read");
+  // A folder opens as a file does, but has nothing to read.
+  if (stream.peek() == std::ifstream::traits_type::eof() && !stream.eof()) return fail(file.string() + ": is not a file that can be read");
+  stream.clear();
   std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   if (stream.bad()) return fail(file.string() + ": reading failed before the end of the file");
   return text;

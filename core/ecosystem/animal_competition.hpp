@@ -133,16 +133,17 @@ class AnimalCompetition {
 
 /// How a competition with proportions ended.
 struct Proportions {
-  /// The species (index in the level) whose lack of places held others back that could still have grown by half; -1 when none did.
+  /// The species (index in the level) whose lack of places held others back that could still have grown by half; -1 when none
+  /// did.
   int held_back_by = -1;
 };
 
 /// Competition that keeps to desired shares of individuals (paper algorithm 1): the species whose herd brings the level closest
-/// to the target (squared error over the shares) settles in its fittest region that can feed it. One that has no place for another
-/// herd drops out but stays counted with what it has, and the others go on only as far as that is its share: up to the total at
-/// which it would ask for a whole herd more. What came beyond would take the shares farther from the target ("only retains the one
-/// among these attempts that brings the system the closest to the desired proportions"), so an implausible target leaves a large
-/// surplus. A species that has no place at all asks for nothing: the target is that of the others.
+/// to the target (squared error over the shares) settles in its fittest region that can feed it. One that has no place for
+/// another herd drops out but stays counted with what it has, and the others go on only as far as that is its share: up to the
+/// total at which it would ask for a whole herd more. What came beyond would take the shares farther from the target ("only
+/// retains the one among these attempts that brings the system the closest to the desired proportions"), so an implausible target
+/// leaves a large surplus. A species that has no place at all asks for nothing: the target is that of the others.
 [[nodiscard]] Result<Proportions> settle_in_proportion(AnimalCompetition& competition, std::span<const double> desired,
                                                        const TaskContext& context);
 

@@ -80,7 +80,7 @@ void find_resources(const AnimalLevelInput& input, AnimalLevel& level, const Tas
     return;
   }
   const PresentTiles tiles(input.plants);
-  const ResourceSources sources{input.web,   input.level, input.ground, *level.partition,
+  const ResourceSources sources{input.web,    input.level, input.ground, *level.partition,
                                 input.plants, input.below, tiles,        *level.basis.banks};
   const std::vector<PreySupply> prey = find_prey(sources);
   for (const PreySupply& supply : prey) level.prey.push_back({supply.species, supply.region, supply.piece, supply.available});

@@ -10,7 +10,8 @@
 namespace biotope {
 namespace {
 
-/// Fresh water that is this near can be drunk, m: a fringe of trees or a bar of gravel does not keep an animal from it. Our choice.
+/// Fresh water that is this near can be drunk, m: a fringe of trees or a bar of gravel does not keep an animal from it. Our
+/// choice.
 constexpr double drinking_distance = 20;
 /// Ground steeper than this (45 degrees) between bank and water does.
 constexpr float steepest_bank = 1;

@@ -36,7 +36,8 @@ class PresentTiles {
   explicit PresentTiles(std::span<const std::shared_ptr<const CoverMap>> covers);
   /// The tile_side cells of row y in a column of tiles; null where all are 0.
   [[nodiscard]] const Cover* row(std::size_t map, int column, int y) const {
-    const Cover* tile = tiles_[(map * std::size_t(rows_) + std::size_t(y / tile_side)) * std::size_t(columns_) + std::size_t(column)];
+    const Cover* tile =
+        tiles_[(map * std::size_t(rows_) + std::size_t(y / tile_side)) * std::size_t(columns_) + std::size_t(column)];
     return tile == nullptr ? nullptr : tile + y % tile_side * tile_side;
   }
   [[nodiscard]] int columns() const { return columns_; }
@@ -88,8 +89,8 @@ struct PreySupply {
 /// Whether some species of the level eats it, by species number.
 [[nodiscard]] std::vector<char> edible_to_level(const FoodWeb& web, int level);
 
-/// Sums of cover (1/full_cover cells) by group and map: sums[group * maps.size() + i] for maps[i]; the runs' values are the groups.
-/// Parallel; whole numbers, so any order of adding gives the same.
+/// Sums of cover (1/full_cover cells) by group and map: sums[group * maps.size() + i] for maps[i]; the runs' values are the
+/// groups. Parallel; whole numbers, so any order of adding gives the same.
 [[nodiscard]] std::vector<std::uint64_t> cover_sums(const RunTable& table, std::size_t groups, const PresentTiles& tiles,
                                                     std::span<const std::size_t> maps);
 

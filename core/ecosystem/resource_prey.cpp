@@ -51,7 +51,8 @@ RunTable paired_runs(const Partition& own, const Partition& other) {
   });
 }
 
-/// Runs of a group's regions and the pieces, value = region * pieces + piece, from those of its level's partition, which is finer.
+/// Runs of a group's regions and the pieces, value = region * pieces + piece, from those of its level's partition, which is
+/// finer.
 RunTable region_runs(const RunTable& paired, const PreyGroup& group, std::int64_t pieces) {
   const auto& own_pieces = group.own_level->partition->pieces;
   RunTable table{paired.width, paired.height, {}, {0}};
@@ -62,7 +63,8 @@ RunTable region_runs(const RunTable& paired, const PreyGroup& group, std::int64_
       const std::int64_t region = own_pieces[std::size_t(run.value / pieces)].region[group.index.front()];
       if (region < 0) continue;
       const std::int64_t value = region * pieces + run.value % pieces;
-      const bool continues = table.runs.size() > table.row_start.back() && table.runs.back().x1 == run.x0 && table.runs.back().value == value;
+      const bool continues =
+          table.runs.size() > table.row_start.back() && table.runs.back().x1 == run.x0 && table.runs.back().value == value;
       if (continues) {
         table.runs.back().x1 = run.x1;
       } else {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/base/parallel.hpp"
 #include "core/movement/movement_cache.hpp"
@@ -15,6 +16,8 @@ namespace {
 /// Onward edges kept a node and species, and among them banks, so that a herd always finds its way to water. Our choice.
 constexpr std::size_t kept_edges = 14;
 constexpr std::size_t kept_banks = 2;
+/// A search for edges ends once this many resources are reached. Our choice: a few times what is kept.
+constexpr std::uint32_t searched_for_edges = 40;
 /// Longer walks are no edges, s. Our choice.
 constexpr float longest_walk = 3 * 3600;
 
@@ -23,6 +26,8 @@ struct Party {
   int species_index = 0;
   const std::vector<LevelTravel::Presence>* presence = nullptr;
 };
+
+constexpr float unreached = std::numeric_limits<float>::infinity();
 
 struct Onward {
   SpatialEdge edge;
@@ -75,17 +80,16 @@ void keep_best(const std::vector<ResourceNode>& nodes, std::vector<Onward>& onwa
   onward = std::move(kept);
 }
 
-/// Edges of one species out of `from` (paper eq. 2), after a search from its vertex.
+/// Edges of one species out of `from` (paper eq. 2); `cost_of_node` is infinite where the search from it did not come.
 std::vector<Onward> onward_edges(const AnimalLevel& level, const Party& party, const std::vector<std::int32_t>& vertex_of_node,
-                                 const TravelSearch& search, int from, float speed, double cell_size) {
+                                 const std::vector<float>& cost_of_node, int from, float speed, double cell_size) {
   const auto& nodes = level.graph->nodes;
   std::vector<Onward> onward;
   double sum = 0;
   for (const auto& [node, probability] : *party.presence) {
     const std::int32_t vertex = vertex_of_node[std::size_t(node)];
-    if (node == from || vertex < 0) continue;
-    const float cost = search.cost(std::uint32_t(vertex));
-    if (!std::isfinite(cost)) continue;
+    const float cost = cost_of_node[std::size_t(node)];
+    if (node == from || cost == unreached) continue;
     const ResourceNode& a = nodes[std::size_t(from)];
     const ResourceNode& b = nodes[std::size_t(node)];
     const double beeline = std::hypot(double(a.x - b.x), double(a.y - b.y)) * cell_size;
@@ -106,10 +110,13 @@ class EdgeFinder {
  public:
   EdgeFinder(const FoodWeb& web, const AnimalLevel& level, const LevelTravel& travel, std::size_t graph, double cell_size)
       : web_(web), level_(level), travel_(travel), graph_(*travel.graphs[graph]), vertices_(travel.vertex_of_node[graph]), cell_size_(cell_size) {
+    wanted_.assign(vertices_.size(), 0);
     for (std::size_t s = 0; s < level.species.size(); ++s) {
       if (travel.graph_of_species[s] != int(graph)) continue;
       for (const auto& presence : travel.presence[s]) {
-        if (!presence.empty()) parties_.push_back({int(s), &presence});
+        if (presence.empty()) continue;
+        parties_.push_back({int(s), &presence});
+        for (const auto& [node, probability] : presence) wanted_[std::size_t(node)] = vertices_[std::size_t(node)] >= 0;
       }
     }
     counts_.assign(graph_.vertices.size(), 0);
@@ -118,30 +125,49 @@ class EdgeFinder {
     }
   }
 
-  void run(std::vector<Onward>& out) const {
+  void run(MovementCache* cache, std::vector<Onward>& out) const {
     const std::size_t nodes = vertices_.size();
+    const ReachedNodes* known = cache ? cache->reached(graph_, vertices_) : nullptr;
+    ReachedNodes reached = known ? *known : ReachedNodes(nodes);
     std::vector<std::vector<Onward>> found(nodes);
     constexpr std::size_t chunk = 32;
     parallel_each((nodes + chunk - 1) / chunk, [&](std::size_t i) {
-      TravelSearch search(graph_, graph_.cost);
-      for (std::size_t node = i * chunk; node < std::min(nodes, (i + 1) * chunk); ++node) from_node(int(node), search, found[node]);
+      std::optional<TravelSearch> search;
+      std::vector<float> cost(nodes, unreached);
+      for (std::size_t node = i * chunk; node < std::min(nodes, (i + 1) * chunk); ++node) {
+        if (!wanted_[node]) continue;
+        if (reached[node].empty()) {
+          if (!search) search.emplace(graph_, graph_.cost);
+          reached[node] = search_from(*search, node);
+        }
+        for (const ReachedNode& other : reached[node]) cost[std::size_t(other.node)] = other.cost;
+        from_node(int(node), cost, found[node]);
+        for (const ReachedNode& other : reached[node]) cost[std::size_t(other.node)] = unreached;
+      }
     });
     for (const auto& of_node : found) out.insert(out.end(), of_node.begin(), of_node.end());
+    if (cache) cache->keep_reached(graph_, vertices_, std::move(reached));
   }
 
  private:
-  void from_node(int node, TravelSearch& search, std::vector<Onward>& out) const {
-    const std::int32_t vertex = vertices_[std::size_t(node)];
-    if (vertex < 0) return;
-    bool searched = false;
+  [[nodiscard]] std::vector<ReachedNode> search_from(TravelSearch& search, std::size_t node) const {
+    search.run(std::uint32_t(vertices_[node]), counts_, searched_for_edges);
+    std::vector<ReachedNode> reached;
+    for (std::size_t other = 0; other < vertices_.size(); ++other) {
+      if (vertices_[other] < 0) continue;
+      const float cost = search.cost(std::uint32_t(vertices_[other]));
+      if (cost < unreached) reached.push_back({int(other), cost});
+    }
+    return reached;
+  }
+
+  void from_node(int node, const std::vector<float>& cost, std::vector<Onward>& out) const {
     for (const Party& party : parties_) {
       const auto& presence = *party.presence;
       const auto here = std::lower_bound(presence.begin(), presence.end(), node, [](const auto& p, int n) { return p.node < n; });
       if (here == presence.end() || here->node != node) continue;
-      if (!searched) search.run(std::uint32_t(vertex), counts_, searched_nodes);
-      searched = true;
       const float speed = web_.species[std::size_t(level_.species[std::size_t(party.species_index)])].animal().speed;
-      const auto onward = onward_edges(level_, party, vertices_, search, node, speed, cell_size_);
+      const auto onward = onward_edges(level_, party, vertices_, cost, node, speed, cell_size_);
       out.insert(out.end(), onward.begin(), onward.end());
     }
   }
@@ -154,6 +180,8 @@ class EdgeFinder {
   double cell_size_;
   std::vector<Party> parties_;
   std::vector<std::uint16_t> counts_;
+  /// Nodes where somebody may set out.
+  std::vector<std::uint8_t> wanted_;
 };
 
 }  // namespace
@@ -176,7 +204,7 @@ Result<LevelMovement> compute_level_movement(const FoodWeb& web, const AnimalLev
   std::vector<Onward> onward;
   for (std::size_t graph = 0; graph < travel->graphs.size(); ++graph) {
     if (context.stopped()) return fail("stopped");
-    EdgeFinder(web, level, *travel, graph, ground.terrain->cell_size).run(onward);
+    EdgeFinder(web, level, *travel, graph, ground.terrain->cell_size).run(cache, onward);
     context.report("Travel", 0.4 + 0.6 * double(graph + 1) / double(travel->graphs.size()));
   }
   std::sort(onward.begin(), onward.end(), [](const Onward& a, const Onward& b) {

@@ -17,8 +17,23 @@ std::shared_ptr<const TravelGraph> MovementCache::graph(const Ground& ground, co
     return entry.graph;
   }
   auto made = std::make_shared<const TravelGraph>(build_travel_graph(ground, *regions, mobility, block));
-  graphs_.push_back({ground.terrain, ground.hydrology, regions, block, -1, made, 0});
+  graphs_.push_back({ground.terrain, ground.hydrology, regions, block, -1, made, 0, {}, {}});
   return made;
+}
+
+const ReachedNodes* MovementCache::reached(const TravelGraph& graph, const std::vector<std::int32_t>& vertices) const {
+  for (const GraphEntry& entry : graphs_) {
+    if (entry.graph.get() == &graph) return entry.vertices == vertices ? &entry.reached : nullptr;
+  }
+  return nullptr;
+}
+
+void MovementCache::keep_reached(const TravelGraph& graph, const std::vector<std::int32_t>& vertices, ReachedNodes reached) {
+  for (GraphEntry& entry : graphs_) {
+    if (entry.graph.get() != &graph) continue;
+    entry.vertices = vertices;
+    entry.reached = std::move(reached);
+  }
 }
 
 void MovementCache::end_graphs(std::span<const std::shared_ptr<const TravelGraph>> used, int level) {

@@ -10,8 +10,12 @@ namespace {
 /// A herd that feeds goes up to this far from where it came in, m; at water less. Our choice.
 constexpr double feeding_range = 120;
 constexpr double drinking_range = 40;
+/// Who looks for prey by itself roams this far, m. Our choice.
+constexpr double hunting_range = 400;
 /// It strolls at this share of its walking speed, and stands for some minutes in between. Our choice.
 constexpr double stroll = 0.3;
+/// From one bite of ground to the next it turns by at most this, rad; more where that leads nowhere. Our choice.
+constexpr double widest_turn = 1.2;
 
 /// Writes the way of one day.
 class DayWriter {
@@ -108,16 +112,23 @@ class DayWriter {
 
   void wander(int number, const ResourceNode& node, PathPoint entry, double hour, double until, std::size_t stop) {
     const Grid<std::int32_t>* area = area_of(node);
-    const double range = (node.kind == NodeKind::bank ? drinking_range : feeding_range) / input_.ground.terrain->cell_size;
+    const double metres = node.kind == NodeKind::bank ? drinking_range : node.kind == NodeKind::prey ? hunting_range : feeding_range;
+    const double range = metres / input_.ground.terrain->cell_size;
     PathPoint at = entry;
+    double heading = 2 * 3.14159265358979 * random_unit({input_.keys[std::size_t(draft_.herd)], stop, 15});
+    std::uint64_t last_move = 0;
     constexpr std::uint64_t most_tries = 160;
     for (std::uint64_t i = 0; i < most_tries; ++i) {
       const auto unit = [&](std::uint64_t what) {
         return random_unit({input_.keys[std::size_t(draft_.herd)], stop, i, what});
       };
-      const double angle = 2 * 3.14159265358979 * unit(11);
-      const double distance = range * std::sqrt(unit(12));
-      const PathPoint next{std::round(entry.x + float(distance * std::cos(angle))), std::round(entry.y + float(distance * std::sin(angle)))};
+      // On ahead most often, back over the middle at the border.
+      const bool outside = std::hypot(double(at.x - entry.x), double(at.y - entry.y)) > 0.8 * range;
+      const double ahead = outside ? std::atan2(double(entry.y - at.y), double(entry.x - at.x)) : heading;
+      const double angle = ahead + widest_turn * (unit(11) + unit(14) - 1) * (1 + double(i - last_move));
+      const double distance = range * (0.15 + 0.35 * unit(12));
+      const PathPoint next{std::round(at.x + float(distance * std::cos(angle))), std::round(at.y + float(distance * std::sin(angle)))};
+      if (std::hypot(double(next.x - entry.x), double(next.y - entry.y)) > range) continue;
       if (!ground_.passable(next) || (area && (*area)(int(next.x), int(next.y)) != number)) continue;
       if (!ground_.clear(at, next) || !ground_.clear(next, entry)) continue;
       const double there = hour + hours_between(at, next) / stroll;
@@ -127,6 +138,8 @@ class DayWriter {
       put(hour, at);
       put(there, next);
       hour = there + stand;
+      heading = std::atan2(double(next.y - at.y), double(next.x - at.x));
+      last_move = i;
       at = next;
       put(hour, at);
     }

@@ -11,9 +11,11 @@ namespace {
 constexpr std::array<PathCell, 16> directions{{{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1},
                                                {2, 1}, {1, 2}, {-1, 2}, {-2, 1}, {-2, -1}, {-1, -2}, {1, -2}, {2, -1}}};
 constexpr float unreached = std::numeric_limits<float>::infinity();
-/// The way that is left is guessed to cost this much more than on the easiest ground without tussocks: close to what it does cost, so that the search
-/// looks at little beside its way, and the way costs at most so much more than the cheapest. Our choice.
-constexpr float guess = 1.45F;
+/// What is left of the way is guessed to cost as much a metre as ground that is easy but for tussocks, or nearly as much as the straight line does:
+/// close to what it does cost, so that the search looks at little beside its way, though it may miss a slightly cheaper one. Our choice.
+constexpr double easy_guess = 1.45;
+constexpr double straight_guess = 0.85;
+constexpr double highest_guess = 3;
 
 /// A* on the cells that lie a whole number of strides from the start, inside the tube around a coarse way.
 class TubeSearch {
@@ -27,6 +29,10 @@ class TubeSearch {
     rows_ = (cells.y1 - origin_.y + stride - 1) / stride;
     best_.assign(std::size_t(columns_) * std::size_t(rows_), unreached);
     came_.assign(best_.size(), 0xff);
+    const auto point = [](PathCell c) { return PathPoint{float(c.x), float(c.y)}; };
+    const double metres = std::hypot(double(to.x - from.x), double(to.y - from.y)) * ground.cell_size();
+    const double straight = std::min(highest_guess, straight_guess * ground.walk_along(point(from), point(to)) / std::max(metres, 1e-3));
+    guess_ = float(std::max(easy_guess * double(ground.walk().easiest()), straight) * ground.cell_size());
     for (std::size_t d = 0; d < directions.size(); ++d) moves_[d] = move_along(directions[d]);
   }
 
@@ -37,6 +43,8 @@ class TubeSearch {
       if (cost > best_[index]) continue;
       const PathCell at = cell_of(index);
       if (arrives(at)) return trace(index);
+      // A greedy guess may find a cell again cheaper; it is not opened twice.
+      best_[index] = -unreached;
       expand(at, index, cost);
     }
     return {};
@@ -97,7 +105,7 @@ class TubeSearch {
   [[nodiscard]] float guess_from(PathCell c) const {
     const auto dx = float(c.x - to_.x);
     const auto dy = float(c.y - to_.y);
-    return guess * std::sqrt(dx * dx + dy * dy) * float(ground_.cell_size()) * ground_.walk().easiest();
+    return guess_ * std::sqrt(dx * dx + dy * dy);
   }
 
   [[nodiscard]] bool arrives(PathCell c) const {
@@ -155,6 +163,7 @@ class TubeSearch {
   int stride_;
   PathCell from_;
   PathCell to_;
+  float guess_ = 1;  ///< a cell
   PathCell origin_;
   int columns_ = 0;
   int rows_ = 0;

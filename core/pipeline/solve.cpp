@@ -251,9 +251,17 @@ Status Run::daily_plans() {
   InputPointers inputs = level_pointers();
   inputs.push_back(maps_->graph);
   inputs.push_back(maps_->trails);
-  return keep(maps_->plans, stages_.plans.get({inputs, document_.seed}, [&] {
+  const Status planned = keep(maps_->plans, stages_.plans.get({inputs, document_.seed}, [&] {
     return compute_daily_plans(*maps_->web, maps_->animals, maps_->movement, maps_->ground(), document_.seed, context_, maps_->trails.get());
   }));
+  if (!planned) return planned;
+  std::size_t herds = 0;
+  for (const auto& level : maps_->animals) herds += level->herds.size();
+  if (maps_->plans->size() < herds) {
+    maps_->warnings.push_back("Of " + std::to_string(herds) + " herds " + std::to_string(maps_->plans->size()) +
+                              ", chosen evenly over the species, have a daily plan.");
+  }
+  return {};
 }
 
 Status check_inputs(const Document& document) {

@@ -10,8 +10,9 @@ layout(location = 1) out vec4 surface;
 
 void main() {
   vec4 leaf = texture(leaves, card);
-  if (leaf.a < 0.4) discard;
-  vec3 base = mix(mix(leaf_colour, flower_colour, leaf.g), wood_colour, leaf.b);
-  colour = vec4(sqrt(clamp(base * (2.0 * leaf.r / max(leaf.a, 0.2)), 0.0, 1.0)), 1.0);
+  if (leaf.a < 0.3) discard;
+  float covered = max(leaf.a, 0.2);
+  vec3 base = mix(mix(leaf_colour, flower_colour, min(leaf.g / covered, 1.0)), wood_colour, min(leaf.b / covered, 1.0));
+  colour = vec4(sqrt(clamp(base * (2.0 * leaf.r / covered), 0.0, 1.0)), 1.0);
   surface = vec4(normalize(facing.xyz) * 0.5 + 0.5, facing.w);
 }

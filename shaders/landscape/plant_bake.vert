@@ -15,5 +15,6 @@ void main() {
   card = vec3(card_uv, material.x);
   facing = vec4(dot(normal, right), dot(normal, up), dot(normal, toward), material.y);
   gl_Position = projection * vec4(position, 1.0);
-  if (material.z < bare) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+  // Where leaves have fallen, twigs are left (picture 8).
+  if (material.z < bare) card.z = 8.0;
 }

@@ -17,7 +17,8 @@ void main() {
   vec2 across = fwidth(card.xy) * 128.0;
   float level = max(0.0, log2(max(across.x, across.y)));
   if (leaf.a * (1.0 + 0.14 * level) < 0.5) discard;
-  vec3 base = mix(mix(leaf_colour, flower_colour, leaf.g), wood_colour, leaf.b);
-  vec3 lit = base * tone * light * (2.0 * leaf.r / max(leaf.a, 0.2));
+  float covered = max(leaf.a, 0.2);
+  vec3 base = mix(mix(leaf_colour, flower_colour, min(leaf.g / covered, 1.0)), wood_colour, min(leaf.b / covered, 1.0));
+  vec3 lit = base * tone * light * (2.0 * leaf.r / covered);
   colour = vec4(to_screen(mix(lit, veil.rgb, veil.a)), 1.0);
 }

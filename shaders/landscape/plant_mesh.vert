@@ -31,6 +31,9 @@ void main() {
   if (under_crowns > 0.5 && frame.shade_area.w > 0.0) {
     vec2 shaded = (stands.xy - frame.shade_area.xy) / frame.shade_area.z;
     sun *= 1.0 - frame.shade_area.w * textureLod(canopy_shade, shaded, 0.0).r;
+    // Lit as the ground is, so that tufts do not stand out of it.
+    upward = normalize(mix(upward, vec3(0.0, 0.0, 1.0), 0.85));
+    sun *= max(frame.light_direction.z, 0.0) / max((frame.light_direction.z + 0.22) / 1.22, 0.02);
   }
   light = foliage_light(upward, view, material.y, sun);
   tone = material.w > 0.5 ? own_tone(own.y) : vec3(0.8 + 0.4 * own.y);
@@ -38,6 +41,8 @@ void main() {
   float amount = haze(offset);
   veil = vec4(apply_haze(vec3(0.0), offset, 1.0), amount);
   gl_Position = frame.view_projection * vec4(offset, 1.0);
-  // Fallen leaves are not drawn, nor flowers (picture 7) that are not out.
-  if (material.z < bare || (material.x > 6.5 && fract(own.y * 13.7) >= bloom)) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+  // Where leaves have fallen, twigs are left (picture 8).
+  if (material.z < bare) card.z = 8.0;
+  // Flowers (picture 7) that are not out are not drawn.
+  if (material.x > 6.5 && fract(own.y * 13.7) >= bloom) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 }

@@ -1,11 +1,13 @@
 #version 450 core
 #include "landscape/frame.glsl"
+#include "landscape/atmosphere.glsl"
 #include "landscape/ground.glsl"
 layout(location = 0) in vec2 corner;   // 0..1 over the patch
 layout(location = 1) in vec4 patch_of; // west, south, side, morph end
 uniform float patch_cells;
 out vec3 offset;
 out vec2 place;
+out vec4 veil;
 
 float height_at(vec2 p) { return textureLod(heights, ground_uv(p), 0.0).r; }
 
@@ -17,5 +19,6 @@ void main() {
   vec2 odd = fract(corner * patch_cells * 0.5) * 2.0 / patch_cells;
   place = patch_of.xy + (corner - odd * morph) * patch_of.z;
   offset = vec3(place, height_at(place)) - frame.eye.xyz;
+  veil = vec4(apply_haze(vec3(0.0), offset, 1.0), haze(offset));
   gl_Position = frame.view_projection * vec4(offset, 1.0);
 }

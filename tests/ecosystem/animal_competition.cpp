@@ -37,6 +37,24 @@ void check_never_more_than_offered(const AnimalLevel& level) {
   }
 }
 
+/// With proportions nobody that was placed lacks more than a herd (and the herds by which others overshoot) of its share.
+void check_nobody_lags(const FoodWeb& web, const AnimalLevel& level) {
+  double individuals = 0;
+  double shares = 0;
+  double herds = 0;
+  for (std::size_t i = 0; i < level.species.size(); ++i) {
+    individuals += total(level.population[i]);
+    herds += web.species[std::size_t(level.species[i])].animal().herd_min;
+    if (total(level.population[i]) > 0) shares += level.desired[i];
+  }
+  for (std::size_t i = 0; i < level.species.size(); ++i) {
+    const double own = total(level.population[i]);
+    const double share = level.desired[i] / shares;
+    const int herd = web.species[std::size_t(level.species[i])].animal().herd_min;
+    if (own > 0) CHECK(share * individuals <= own + herd + share * herds);
+  }
+}
+
 }  // namespace
 
 TEST_CASE("a meadow feeds as many herds as its growth allows, and no more") {
@@ -200,6 +218,7 @@ TEST_CASE("what is eaten is what was needed, and never more than grows, on rando
       CHECK(eaten(*level) == Approx(needed(builder.web, *level)).epsilon(1e-6));
       check_never_more_than_offered(*level);
       CHECK(level->shortages.empty());
+      if (!desired.empty()) check_nobody_lags(builder.web, *level);
       // Nothing that could be placed was left out: no species finds a whole herd's food in any region with water.
       for (std::size_t i = 0; i < 4; ++i) {
         for (const double population : level->population[i])

@@ -55,27 +55,6 @@ double integral(const Grid<float>& density, double cell_area) {
   return sum;
 }
 
-bool same_level(const AnimalLevel& a, const AnimalLevel& b) {
-  if (a.partition->label != b.partition->label || a.population != b.population || a.eaten != b.eaten || a.warnings != b.warnings)
-    return false;
-  if (a.herds.size() != b.herds.size() || a.graph->nodes.size() != b.graph->nodes.size()) return false;
-  for (std::size_t i = 0; i < a.herds.size(); ++i) {
-    if (a.herds[i].size != b.herds[i].size || a.herds[i].region != b.herds[i].region) return false;
-  }
-  for (std::size_t i = 0; i < a.graph->nodes.size(); ++i) {
-    const ResourceNode& x = a.graph->nodes[i];
-    const ResourceNode& y = b.graph->nodes[i];
-    if (x.x != y.x || x.y != y.y || x.cells != y.cells || x.quantities.size() != y.quantities.size()) return false;
-    for (std::size_t q = 0; q < x.quantities.size(); ++q) {
-      if (x.quantities[q].available != y.quantities[q].available) return false;
-    }
-  }
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (*a.graph->node_of_cell[i] != *b.graph->node_of_cell[i]) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 TEST_CASE("predators live on the yearly growth of their prey, where prey is") {

@@ -212,3 +212,82 @@ TEST_CASE("a herd without any resource stands still in its region") {
   CHECK(state.activity == HerdActivity::resting);
   CHECK(state.speed == 0);
 }
+
+TEST_CASE("a predator rests when it is not active, while the herd moves on") {
+  // Deer are on their feet from 5 to 21, wolves from 4 to 10 and from 16 to 22.
+  const MovementScene scene = valley(Activity::diurnal);
+  for (const DailyPlan& plan : scene.plans()) {
+    if (plan.level != 2) continue;
+    REQUIRE(plan.followed >= 0);
+    double longest = 0;
+    double still = 0;
+    for (double hour = 10; hour < 16; hour += 0.01) {
+      still = herd_state(plan, graph_of(scene, plan), hour, 10).speed == 0 ? still + 0.01 : 0;
+      longest = std::max(longest, still);
+    }
+    CHECK(longest > 3);
+  }
+}
+
+TEST_CASE("herds walk on the trails") {
+  const MovementScene scene = valley(Activity::diurnal);
+  const TrailNetwork network = scene.trails();
+  const auto share_on_trails = [&](const std::vector<DailyPlan>& plans) {
+    int walking = 0;
+    int on_trail = 0;
+    for (const DailyPlan& plan : plans) {
+      if (plan.level != 1) continue;
+      for (double hour = 0; hour < 24; hour += 0.02) {
+        const HerdState state = herd_state(plan, graph_of(scene, plan), hour, 10);
+        if (state.activity != HerdActivity::walking) continue;
+        ++walking;
+        double nearest = 1e9;
+        for (const TrailRoute& route : network.routes) {
+          for (const PathPoint& point : route.points) nearest = std::min(nearest, std::hypot(double(point.x - state.at.x), double(point.y - state.at.y)));
+        }
+        on_trail += nearest * 10 < 12;
+      }
+    }
+    REQUIRE(walking > 100);
+    return double(on_trail) / walking;
+  };
+  CHECK(share_on_trails(scene.plans_on(network)) > 0.8);
+  CHECK(share_on_trails(scene.plans_on(network)) > share_on_trails(scene.plans()) + 0.1);
+}
+
+TEST_CASE("of very many herds an even number of each species gets a plan, the same ones whatever lives elsewhere") {
+  MovementScene scene(30, 30, 10);
+  for (int y = 0; y < 30; ++y) scene.blocked(15, y) = 1;
+  const int deer = scene.animal("deer", 1, traits_of(Activity::diurnal, 1.2F, 2), {0});
+  const int goat = scene.animal("goat", 1, traits_of(Activity::diurnal, 1.2F, 2), {0});
+  AnimalLevel level = scene.level(1, {});
+  for (int i = 0; i < 400; ++i) level.herds.push_back({deer, i % 2, 5});
+  for (int i = 0; i < 20; ++i) level.herds.push_back({goat, 0, 5});
+  const auto chosen_of = [&](const AnimalLevel& animals, std::size_t most) {
+    const std::vector<std::shared_ptr<const AnimalLevel>> levels{std::make_shared<const AnimalLevel>(animals)};
+    return planned_herds(levels, 7, most).front();
+  };
+  CHECK(chosen_of(level, 1000).size() == 420);
+  const auto chosen = chosen_of(level, 100);
+  CHECK(chosen.size() == 100);
+  CHECK(std::is_sorted(chosen.begin(), chosen.end()));
+  const auto is = [&](int species, int region) {
+    return [&level, species, region](int herd) {
+      const Herd& one = level.herds[std::size_t(herd)];
+      return one.species == species && one.region == region;
+    };
+  };
+  CHECK(std::count_if(chosen.begin(), chosen.end(), is(goat, 0)) == 20);
+  CHECK(std::count_if(chosen.begin(), chosen.end(), is(deer, 0)) > 20);
+  CHECK(std::count_if(chosen.begin(), chosen.end(), is(deer, 1)) > 20);
+  AnimalLevel later = level;
+  later.herds.insert(later.herds.begin(), Herd{goat, 1, 5});
+  later.herds.pop_back();
+  auto shifted = chosen_of(later, 100);
+  std::vector<int> of_deer;
+  for (const int herd : chosen) {
+    if (herd < 400) of_deer.push_back(herd + 1);
+  }
+  std::erase_if(shifted, [](int herd) { return herd == 0 || herd > 400; });
+  CHECK(shifted == of_deer);
+}

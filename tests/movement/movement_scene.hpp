@@ -99,12 +99,20 @@ struct MovementScene {
   }
 
   [[nodiscard]] TrailNetwork trails() const {
-    auto result = compute_trails(web, levels, movement, ground);
+    return trails(nullptr);
+  }
+  [[nodiscard]] TrailNetwork trails(MovementCache* cache) const {
+    auto result = compute_trails(web, levels, movement, ground, {}, cache);
     REQUIRE(result);
     return std::move(*result);
   }
   [[nodiscard]] std::vector<DailyPlan> plans(std::uint64_t seed = 1) const {
     auto result = compute_daily_plans(web, levels, movement, ground, seed);
+    REQUIRE(result);
+    return std::move(*result);
+  }
+  [[nodiscard]] std::vector<DailyPlan> plans_on(const TrailNetwork& network) const {
+    auto result = compute_daily_plans(web, levels, movement, ground, 1, {}, &network);
     REQUIRE(result);
     return std::move(*result);
   }

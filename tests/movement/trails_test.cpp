@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <map>
 
+#include "core/movement/movement_cache.hpp"
 #include "core/movement/trail_raster.hpp"
 #include "core/movement/walkers.hpp"
 #include "tests/movement/movement_scene.hpp"
@@ -219,6 +220,34 @@ TEST_CASE("trails do not depend on the number of threads") {
   CHECK(one.carving == two.carving);
   REQUIRE(one.routes.size() == two.routes.size());
   for (std::size_t i = 0; i < one.routes.size(); ++i) CHECK(one.routes[i].weight == two.routes[i].weight);
+}
+
+TEST_CASE("what a cache holds changes nothing") {
+  MovementScene scene = forked_valley();
+  const auto same = [](const TrailNetwork& a, const TrailNetwork& b) {
+    bool equal = a.wear == b.wear && a.carving == b.carving && a.routes.size() == b.routes.size();
+    for (std::size_t i = 0; equal && i < a.routes.size(); ++i) equal = a.routes[i].weight == b.routes[i].weight;
+    return equal;
+  };
+  MovementCache cache;
+  const TrailNetwork first = scene.trails();
+  CHECK(same(first, scene.trails(&cache)));
+  CHECK(same(first, scene.trails(&cache)));
+  // The same cache after a rock has fallen on the trail: paths across it are not taken from before.
+  for (int y = 10; y < 70; ++y) scene.blocked(40, y) = 1;
+  AnimalLevel level = scene.level(1, scene.levels[0]->graph->nodes);
+  scene.levels = {std::make_shared<const AnimalLevel>(std::move(level))};
+  for (int round = 0; round < 4; ++round) {
+    auto cached = compute_level_movement(scene.web, *scene.levels[0], scene.ground, {}, &cache);
+    auto fresh = compute_level_movement(scene.web, *scene.levels[0], scene.ground);
+    REQUIRE((cached && fresh));
+    CHECK(cached->travel->onward == fresh->travel->onward);
+    scene.movement = {std::move(*fresh)};
+    const TrailNetwork network = scene.trails();
+    scene.movement = {std::move(*cached)};
+    CHECK(same(network, scene.trails(&cache)));
+    CHECK_FALSE(same(network, first));
+  }
 }
 
 TEST_CASE("a landscape without animals has no trails") {

@@ -19,10 +19,15 @@ PlantShape shape(const std::string& model, float height, float crown, float trun
 }
 
 const std::vector<PlantShape>& shapes() {
-  static const std::vector<PlantShape> all{
-      shape("broadleaf", 16, 12, 0.25F), shape("evergreen-oak", 12, 9, 0.2F), shape("alder", 18, 8, 0.2F),      shape("birch", 16, 6, 0.3F),
-      shape("conifer", 17, 7, 0.45F),    shape("conifer", 24, 6, 0.08F),      shape("mountain-pine", 3.5F, 3.8F, 0.05F), shape("juniper", 4, 1.8F, 0.05F),
-      shape("shrub", 2.5F, 2.5F, 0.05F)};
+  static const std::vector<PlantShape> all{shape("broadleaf", 16, 12, 0.25F),
+                                           shape("evergreen-oak", 12, 9, 0.2F),
+                                           shape("alder", 18, 8, 0.2F),
+                                           shape("birch", 16, 6, 0.3F),
+                                           shape("conifer", 17, 7, 0.45F),
+                                           shape("conifer", 24, 6, 0.08F),
+                                           shape("mountain-pine", 3.5F, 3.8F, 0.05F),
+                                           shape("juniper", 4, 1.8F, 0.05F),
+                                           shape("shrub", 2.5F, 2.5F, 0.05F)};
   return all;
 }
 

@@ -46,7 +46,8 @@ int cell_x(const PlantInstance& plant) { return int(plant.x / cell_size); }
 int cell_y(const PlantInstance& plant) { return cells - 1 - int(plant.y / cell_size); }
 
 bool same(const PlantInstance& a, const PlantInstance& b) {
-  return a.x == b.x && a.y == b.y && a.z == b.z && a.scale == b.scale && a.turn == b.turn && a.tint == b.tint && a.plant == b.plant;
+  return a.x == b.x && a.y == b.y && a.z == b.z && a.scale == b.scale && a.turn == b.turn && a.tint == b.tint &&
+         a.plant == b.plant;
 }
 
 }  // namespace
@@ -152,7 +153,8 @@ TEST_CASE("the order of building and its budget do not matter") {
   PlantBlocks by_and_by;
   by_and_by.set_snapshot(snapshot);
   int frames = 0;
-  while (!by_and_by.build(Stratum::shrub, 400, 300, 1000, std::chrono::steady_clock::now() + std::chrono::milliseconds(1))) ++frames;
+  while (!by_and_by.build(Stratum::shrub, 400, 300, 1000, std::chrono::steady_clock::now() + std::chrono::milliseconds(1)))
+    ++frames;
   CHECK(frames < 1000);
   REQUIRE(at_once.blocks(Stratum::shrub).size() == by_and_by.blocks(Stratum::shrub).size());
   for (const auto& [place, block] : at_once.blocks(Stratum::shrub)) {

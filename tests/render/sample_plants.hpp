@@ -30,8 +30,9 @@ inline std::shared_ptr<MapsSnapshot> level_landscape() {
   auto snapshot = std::make_shared<MapsSnapshot>();
   snapshot->document.terrain = terrain;
   snapshot->document.seed = 7;
-  auto web = build_food_web({plant("oak", Stratum::tree, "broadleaf", 16, 12), plant("pine", Stratum::tree, "conifer", 17, 7),
-                             plant("gorse", Stratum::shrub, "shrub", 2, 2.2F), plant("grass", Stratum::herb, "grass", 0.6F, 0.35F)});
+  auto web =
+      build_food_web({plant("oak", Stratum::tree, "broadleaf", 16, 12), plant("pine", Stratum::tree, "conifer", 17, 7),
+                      plant("gorse", Stratum::shrub, "shrub", 2, 2.2F), plant("grass", Stratum::herb, "grass", 0.6F, 0.35F)});
   REQUIRE(web);
   snapshot->web = std::make_shared<const FoodWeb>(std::move(*web));
   for (int i = 0; i < 4; ++i) snapshot->cover.push_back(std::make_shared<const CoverMap>(cells, cells, Cover(0)));
@@ -48,7 +49,9 @@ inline void cover(MapsSnapshot& snapshot, std::size_t index, const Rect& rect, f
 }
 
 /// Covers everything.
-inline void cover(MapsSnapshot& snapshot, std::size_t index, float fraction) { cover(snapshot, index, {0, 0, cells, cells}, fraction); }
+inline void cover(MapsSnapshot& snapshot, std::size_t index, float fraction) {
+  cover(snapshot, index, {0, 0, cells, cells}, fraction);
+}
 
 /// A straight river over columns [x0, x1).
 inline std::shared_ptr<const Hydrology> river(int x0, int x1) {
@@ -65,9 +68,14 @@ inline std::shared_ptr<const Hydrology> river(int x0, int x1) {
       water->water(x, y) = WaterKind::river;
     }
   }
+  // Width is 4.5 sqrt(Q).
+  const float width = float(x1 - x0) * float(cell_size) / 4.5F;
   RiverReach reach;
-  for (int y = 0; y < cells; ++y) reach.cells.push_back(std::uint32_t(y * cells + (x0 + x1) / 2));
-  reach.discharge = 4;
+  reach.discharge = width * width;
+  for (int y = 0; y < cells; ++y) {
+    reach.cells.push_back(std::uint32_t(y * cells + (x0 + x1) / 2));
+    water->discharge[reach.cells.back()] = reach.discharge;
+  }
   reach.width = float(x1 - x0) * float(cell_size);
   reach.depth = 0.8F;
   water->reaches.push_back(reach);

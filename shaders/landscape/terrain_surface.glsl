@@ -1,7 +1,5 @@
-#version 450 core
-#include "landscape/frame.glsl"
-#include "landscape/atmosphere.glsl"
-#include "landscape/ground.glsl"
+// The ground's colour. A file that includes this says first whether water may be near (`with_water`) and whether crowns are painted on the
+// ground (`with_canopy`): software renderers run both sides of every branch, so what a patch cannot need must be compiled out.
 layout(binding = 1) uniform sampler2D normals;
 layout(binding = 2) uniform sampler2D ground_colours;
 layout(binding = 3) uniform sampler2D detail;
@@ -14,6 +12,7 @@ uniform vec4 show;          // water, trails
 uniform vec4 brush;         // x, y, radius in metres; w: 1 when there is one
 in vec3 offset;
 in vec2 place;
+in vec4 veil;  // colour of the haze before it, and its share
 out vec4 colour;
 
 const float shore_reach = 8.0;
@@ -72,10 +71,12 @@ void main() {
   vec4 fine = texture(detail, place * 0.37, -1.3);
   vec4 middle = texture(detail, place * 0.043 + 0.13, -0.7);
   float broad = texture(detail, place * 0.0067).a;
-  float grain = (fine.b - 0.5) * 0.55 + (middle.b - 0.5) * 0.42 + (middle.a - 0.5) * 0.35 + (broad - 0.5) * 0.35;
+  // From far above, what repeats must not be seen to repeat.
+  float close = exp(-to_eye * 0.0006);
+  float grain = (fine.b - 0.5) * 0.55 + ((middle.b - 0.5) * 0.42 + (middle.a - 0.5) * 0.35 + (broad - 0.5) * 0.35) * close;
   // Tussocks: what keeps the middle ground from looking smooth.
   float tussocks = texture(detail, vec2(place.x * 0.8 + place.y * 0.6, place.y * 0.8 - place.x * 0.6) * 0.12, -1.0).b - 0.5;
-  grain += tussocks * 0.75 * exp(-to_eye * 0.008) * (1.0 - rock);
+  grain += tussocks * 0.5 * exp(-to_eye * 0.008) * (1.0 - rock);
   albedo *= 1.0 + grain;
   albedo *= mix(vec3(1.0), mix(vec3(1.10, 1.0, 0.82), vec3(0.92, 1.02, 1.0), middle.a), 0.55 * (1.0 - rock));
   // Beds of rock show as bands of height.
@@ -88,16 +89,18 @@ void main() {
   albedo = mix(albedo, vec3(0.155, 0.108, 0.066) * (0.8 + 0.5 * fine.b), clamp(worn * (0.75 + 0.5 * fine.a), 0.0, 0.9));
 
   float open = coded_normal.a;
-  vec4 canopy = texture(canopy_colours, uv);
-  // Seen aslant, crowns hide more of the ground than from above.
-  float aslant = 1.0 + 1.1 * (1.0 - clamp(-offset.z / to_eye, 0.0, 1.0));
-  float crowns = (1.0 - pow(1.0 - min(canopy.a, 0.98), aslant)) * canopy_range.z * smoothstep(canopy_range.x, canopy_range.y, to_eye);
-  vec4 clumps = texture(detail, place * 0.021);
-  float crown_edge = smoothstep(-0.12, 0.12, crowns - 0.25 - 0.5 * clumps.b * (1.0 - crowns));
-  crowns = mix(crowns, crown_edge, 0.55) * step(0.004, crowns);
-  float stands = 0.62 + 0.5 * texture(detail, place * 0.0031 + 0.4).b + 0.3 * (broad - 0.5);
-  albedo = mix(albedo, canopy.rgb * canopy.rgb * (0.4 + 1.0 * clumps.b) * stands, crowns);
-  normal.xy += (clumps.rg - 0.5) * 1.3 * crowns;
+  if (with_canopy) {
+    vec4 canopy = texture(canopy_colours, uv);
+    // Seen aslant, crowns hide more of the ground than from above.
+    float aslant = 1.0 + 1.1 * (1.0 - clamp(-offset.z / to_eye, 0.0, 1.0));
+    float crowns = (1.0 - pow(1.0 - min(canopy.a, 0.98), aslant)) * canopy_range.z * smoothstep(canopy_range.x, canopy_range.y, to_eye);
+    vec4 clumps = texture(detail, place * 0.021);
+    float crown_edge = smoothstep(-0.12, 0.12, crowns - 0.25 - 0.5 * clumps.b * (1.0 - crowns));
+    crowns = mix(crowns, crown_edge, 0.55) * step(0.004, crowns);
+    float stands = 0.87 + 0.5 * (texture(detail, place.yx * 0.00113 + 0.4).a - 0.5) + 0.3 * (broad - 0.5) * close;
+    albedo = mix(albedo, canopy.rgb * canopy.rgb * (0.4 + 1.0 * clumps.b) * stands, crowns);
+    normal.xy += (clumps.rg - 0.5) * 1.3 * crowns;
+  }
   normal = normalize(normal);
 
   float light_share = texture(sunlit, uv).r * shade_of_crowns();
@@ -105,17 +108,19 @@ void main() {
   vec3 light = frame.light_colour.rgb * toward_light * light_share + ambient(normal, open);
   vec3 lit = albedo * light;
 
-  // Water: as wide as it is, but never narrower than a good part of a pixel, so that a river stays one line from afar.
-  float pixel = to_eye / frame.eye.w;
-  float inside = (line.r * 255.0 - 128.0) * (shore_reach / 127.0);
-  float grazing = max(-offset.z / to_eye, 0.12);
-  float soft = max(pixel * 0.6, 0.12);
-  float wet = smoothstep(-soft, soft, inside + min(0.28 * pixel / grazing, 2.2)) * show.x;
-  // Banks: pebbles laid bare by floods, then a damp margin before the water.
-  float pebbles = smoothstep(-4.5, -1.0, inside + 2.4 * (middle.b - 0.5)) * smoothstep(0.0, 0.4, show.x) * (1.0 - smoothstep(30.0, 400.0, to_eye) * 0.6);
-  lit = mix(lit, vec3(0.26, 0.245, 0.21) * (0.65 + 0.7 * fine.b) * light, pebbles * 0.6);
-  lit *= 1.0 - 0.42 * smoothstep(-1.3, 0.0, inside) * show.x;
-  if (wet > 0.0) lit = mix(lit, water(albedo, ground_normal, inside, light_share, to_eye), wet);
+  if (with_water) {
+    // Water: as wide as it is, but never narrower than a good part of a pixel, so that a river stays one line from afar.
+    float pixel = to_eye / frame.eye.w;
+    float inside = (line.r * 255.0 - 128.0) * (shore_reach / 127.0);
+    float grazing = max(-offset.z / to_eye, 0.12);
+    float soft = max(pixel * 0.6, 0.12);
+    float wet = smoothstep(-soft, soft, inside + min(0.28 * pixel / grazing, 2.2)) * show.x;
+    // Banks: pebbles laid bare by floods, then a damp margin before the water.
+    float pebbles = smoothstep(-4.5, -1.0, inside + 2.4 * (middle.b - 0.5)) * smoothstep(0.0, 0.4, show.x) * (1.0 - smoothstep(30.0, 400.0, to_eye) * 0.6);
+    lit = mix(lit, vec3(0.26, 0.245, 0.21) * (0.65 + 0.7 * fine.b) * light, pebbles * 0.6);
+    lit *= 1.0 - 0.42 * smoothstep(-1.3, 0.0, inside) * show.x;
+    if (wet > 0.0) lit = mix(lit, water(albedo, ground_normal, inside, light_share, to_eye), wet);
+  }
 
   if (brush.w > 0.0) {
     float ring = abs(distance(place, brush.xy) - brush.z);
@@ -128,6 +133,6 @@ void main() {
   vec2 beyond = max(max(-place, place - frame.terrain.xy), vec2(0.0)) / frame.terrain.xy;
   float outside = max(beyond.x, beyond.y);
   lit = mix(lit, vec3(dot(lit, vec3(0.3, 0.5, 0.2))), smoothstep(0.0, 0.02, outside) * 0.35);
-  float veil = max(haze(offset), smoothstep(0.0, 0.85, outside));
-  colour = vec4(to_screen(apply_haze(lit, offset, veil)), 1.0);
+  float haziness = max(veil.a, smoothstep(0.0, 0.85, outside));
+  colour = vec4(to_screen(mix(lit, veil.rgb, haziness)), 1.0);
 }

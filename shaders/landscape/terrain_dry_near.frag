@@ -1,0 +1,7 @@
+#version 450 core
+#include "landscape/frame.glsl"
+#include "landscape/atmosphere.glsl"
+#include "landscape/ground.glsl"
+const bool with_water = false;
+const bool with_canopy = false;
+#include "landscape/terrain_surface.glsl"
