@@ -141,7 +141,7 @@ HerdPicture herds_at(const MapsSnapshot& snapshot, double hour, const std::vecto
     add_tail(picture, plan, graph, hour, cell_size, tone);
     const HerdState state = herd_state(plan, graph, hour, cell_size);
     const float body = who.is_plant() ? 1 : std::clamp(who.animal().shape.body_length, 0.6F, 4.0F);
-    const float pixels = (8 + 4.0F * std::sqrt(body) + 1.5F * std::log2(float(std::max(plan.size, 1)))) * mark_scale;
+    const float pixels = (6.5F + 3.0F * std::sqrt(body) + 2.0F * std::log2(float(std::max(plan.size, 1)))) * mark_scale;
     picture.markers.push_back({state.at.x, state.at.y, state.heading, pixels, tone});
   }
   return picture;

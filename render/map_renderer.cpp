@@ -22,6 +22,15 @@ float contour_interval(double metres_per_pixel) {
   return float(10 * decade);
 }
 
+/// How bands of strength 0 and 1 look.
+struct RibbonLook {
+  glm::vec2 width_range;  ///< pixels
+  glm::vec2 fade;         ///< opacity
+  float casing = 0;       ///< extra pixels on each side
+  float emphasis = 1;     ///< exponent over strength
+  glm::vec4 colour = glm::vec4(0);
+};
+
 /// Bands on the graphics card.
 struct RibbonBatch {
   Buffer vertices = make_buffer();
@@ -90,7 +99,7 @@ bool same_ground(const MapOptions& a, const MapOptions& b) {
   return a.view.centre_x == b.view.centre_x && a.view.centre_y == b.view.centre_y &&
          a.view.pixels_per_cell == b.view.pixels_per_cell && same_overlay(a.overlay, b.overlay) && a.water == b.water &&
          a.contours == b.contours && a.trails == b.trails && a.hatched == b.hatched && a.beyond == b.beyond &&
-         a.pixel_scale == b.pixel_scale && a.dark == b.dark;
+         a.pixel_scale == b.pixel_scale && a.dark == b.dark && a.line_step == b.line_step;
 }
 
 struct MapRenderer::State {
@@ -124,8 +133,8 @@ struct MapRenderer::State {
   void make_colours();
   void draw_ground(const MapOptions& options, glm::vec2 viewport);
   void set_view(const ShaderProgram& program, const MapOptions& options, glm::vec2 viewport) const;
-  void draw_ribbon(const RibbonBatch& batch, glm::vec2 width_range, glm::vec2 fade, float casing,
-                   glm::vec4 override_colour = glm::vec4(0)) const;
+  void draw_ribbon(const RibbonBatch& batch, const RibbonLook& look) const;
+  void draw_trails(const MapOptions& options) const;
   void draw_still(const MapOptions& options, int width, int height);
   void draw_lines(const MapOptions& options, glm::vec2 viewport);
   void draw_herds(const MapOptions& options, glm::vec2 viewport);
@@ -181,6 +190,7 @@ void MapRenderer::State::draw_ground(const MapOptions& options, glm::vec2 viewpo
     ground_program.set("overlay_colours", int(options.overlay->colours));
     ground_program.set("overlay_categorical", int(options.overlay->colours == ColourMap::categorical));
   }
+  ground_program.set("line_step", show_overlay ? options.line_step : 0.0F);
   ground_program.set("show_hatch", int(options.hatched && paint.texture()));
   ground_program.set("show_beyond", int(options.beyond && beyond.texture()));
   const std::array<const char*, 7> names{"relief_map",   "height_map", "water_map", "overlay_map",
@@ -197,13 +207,28 @@ void MapRenderer::State::draw_ground(const MapOptions& options, glm::vec2 viewpo
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void MapRenderer::State::draw_ribbon(const RibbonBatch& batch, glm::vec2 width_range, glm::vec2 fade, float casing,
-                                     glm::vec4 override_colour) const {
-  ribbon_program.set("width_range", width_range);
-  ribbon_program.set("fade_range", fade);
-  ribbon_program.set("casing", casing);
-  ribbon_program.set("override_colour", override_colour);
+void MapRenderer::State::draw_ribbon(const RibbonBatch& batch, const RibbonLook& look) const {
+  ribbon_program.set("width_range", look.width_range);
+  ribbon_program.set("fade_range", look.fade);
+  ribbon_program.set("casing", look.casing);
+  ribbon_program.set("emphasis", look.emphasis);
+  ribbon_program.set("override_colour", look.colour);
   batch.draw();
+}
+
+void MapRenderer::State::draw_trails(const MapOptions& options) const {
+  const float scale = options.pixel_scale;
+  // Hairlines while the whole landscape is in view (8 m a pixel), cased tracks from close by (0.5 m a pixel).
+  const double metres_per_pixel = relief.terrain()->cell_size / options.view.pixels_per_cell * double(scale);
+  const float closeness = float(std::clamp(std::log2(8 / metres_per_pixel) / 4, 0.0, 1.0));
+  const glm::vec2 width = glm::mix(glm::vec2(0.35F, 2.2F), glm::vec2(1.0F, 4.5F), closeness) * scale;
+  const glm::vec2 fade = glm::mix(glm::vec2(0.16F, 0.92F), glm::vec2(0.60F, 1.0F), closeness) * (options.overlay ? 0.8F : 1.0F);
+  const float casing = closeness - 0.3F;
+  if (casing > 0) {
+    draw_ribbon(trail_lines, {width, fade * 0.75F * std::min(casing * 2, 1.0F), (0.5F + 0.7F * casing) * scale, 2.2F,
+                              glm::vec4(0.98F, 0.94F, 0.82F, 1)});
+  }
+  draw_ribbon(trail_lines, {width, fade, 0, 2.2F});
 }
 
 void MapRenderer::State::draw_lines(const MapOptions& options, glm::vec2 viewport) {
@@ -215,16 +240,9 @@ void MapRenderer::State::draw_lines(const MapOptions& options, glm::vec2 viewpor
   ribbon_program.set("cell_size", float(relief.terrain()->cell_size));
   if (options.water) {
     const float fade = options.overlay ? 0.85F : 1.0F;
-    draw_ribbon(rivers, glm::vec2(0.8F, 2.4F) * scale, glm::vec2(0.55F, 0.95F) * fade, 0);
+    draw_ribbon(rivers, {glm::vec2(0.8F, 2.4F) * scale, glm::vec2(0.55F, 0.95F) * fade});
   }
-  if (options.trails) {
-    // At a glance only the busy trails count; the faint ones appear as one comes closer.
-    const float quiet = options.overlay ? 0.65F : 1.0F;
-    const float near = quiet * float(std::clamp(std::log2(options.view.pixels_per_cell) * 0.25 + 0.6, 0.25, 1.0));
-    draw_ribbon(trail_lines, glm::vec2(0.5F, 2.6F) * scale, glm::vec2(0.10F, 0.75F) * near, 1.0F * scale,
-                glm::vec4(0.98F, 0.94F, 0.82F, 1));
-    draw_ribbon(trail_lines, glm::vec2(0.5F, 2.6F) * scale, glm::vec2(0.22F, 1.0F) * near, 0);
-  }
+  if (options.trails) draw_trails(options);
 }
 
 void MapRenderer::State::draw_herds(const MapOptions& options, glm::vec2 viewport) {
@@ -237,11 +255,12 @@ void MapRenderer::State::draw_herds(const MapOptions& options, glm::vec2 viewpor
   ribbon_program.set("cell_size", float(relief.terrain()->cell_size));
   // Marks shrink as the whole landscape comes into view, so that many herds do not hide it: full size at 2 m a pixel.
   const double metres_per_pixel = relief.terrain()->cell_size / options.view.pixels_per_cell * double(scale);
-  const float mark = float(std::clamp(std::pow(2 / metres_per_pixel, 0.35), 0.5, 1.25));
+  const float mark = float(std::clamp(std::pow(2 / metres_per_pixel, 0.35), 0.6, 1.4));
   const HerdPicture herds = herds_at(*snapshot, options.hour, options.visible_species, scale * mark);
   tails.upload(herds.tails);
-  draw_ribbon(tails, glm::vec2(1.0F, 2.6F) * scale, glm::vec2(0.0F, 0.75F), 1.0F * scale, glm::vec4(0.05F, 0.05F, 0.06F, 0.6F));
-  draw_ribbon(tails, glm::vec2(1.0F, 2.6F) * scale, glm::vec2(0.0F, 0.95F), 0);
+  draw_ribbon(tails, {glm::vec2(0.3F, 2.2F) * scale * mark, glm::vec2(0.0F, 0.45F), 0.6F * scale, 1,
+                      glm::vec4(0.05F, 0.05F, 0.06F, 1)});
+  draw_ribbon(tails, {glm::vec2(0.3F, 2.2F) * scale * mark, glm::vec2(0.0F, 0.95F)});
   marker_program.use();
   set_view(marker_program, options, viewport);
   markers.draw(herds.markers);

@@ -49,6 +49,8 @@ struct MapOptions {
   float pixel_scale = 1;
   std::vector<bool> visible_species;
   bool dark = true;
+  /// Difference of the overlay between its iso-lines, in its unit; 0 draws none.
+  float line_step = 0;
 };
 
 /// True when everything but the herds would be drawn alike.

@@ -35,6 +35,9 @@ PlantMesh mountain_pine_mesh(const PlantShape& shape, PlantDetail detail, std::u
     const float size = (near ? 0.34F : 0.52F) * radius * builder.random.between(0.9F, 1.15F);
     builder.lobe({tip, {size, size, size * 1.25F}}, near ? 11 : 6, size * 1.55F, LeafPicture::needles, 0.7F);
   }
+  // Boughs that lie on the ground around it.
+  builder.lobe({{0, 0, 0.2F * shape.height}, {radius * 0.85F, radius * 0.85F, 0.22F * shape.height}}, near ? 18 : 7,
+               0.5F * radius, LeafPicture::needles, 0.6F);
   return builder.take();
 }
 
@@ -77,8 +80,9 @@ PlantMesh shrub_mesh(const PlantShape& shape, PlantDetail detail, std::uint64_t 
     builder.lobe({tip, {size, size, size * 0.8F * shape.height / shape.crown_diameter + 0.2F * size}}, near ? 13 : 7,
                  size * (near ? 1.15F : 1.4F), LeafPicture::small, 0.8F);
   }
-  builder.lobe({{0, 0, 0.3F * shape.height}, {radius * 0.7F, radius * 0.7F, 0.3F * shape.height}}, near ? 14 : 6, 0.6F * radius,
-               LeafPicture::small, 0.6F);
+  // Foliage down to the ground.
+  builder.lobe({{0, 0, 0.24F * shape.height}, {radius * 0.82F, radius * 0.82F, 0.26F * shape.height}}, near ? 16 : 7,
+               0.58F * radius, LeafPicture::small, 0.6F);
   return builder.take();
 }
 

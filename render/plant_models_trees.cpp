@@ -52,7 +52,7 @@ PlantMesh broadleaf_mesh(const PlantShape& shape, PlantDetail detail, std::uint6
   const glm::vec3 fork(builder.random.between(-0.03F, 0.03F) * shape.height, builder.random.between(-0.03F, 0.03F) * shape.height,
                        base + 0.25F * (shape.height - base));
   builder.stem({0, 0, -0.3F}, {fork.x * 0.4F, fork.y * 0.4F, 0.12F * shape.height}, trunk * 1.5F, trunk, near ? 6 : 3);
-  builder.stem({fork.x * 0.4F, fork.y * 0.4F, 0.12F * shape.height}, fork, trunk, trunk * 0.75F, near ? 6 : 3);
+  builder.stem({fork.x * 0.38F, fork.y * 0.38F, 0.112F * shape.height}, fork, trunk, trunk * 0.75F, near ? 6 : 3);
   if (habit.point > 0.3F && near) builder.stem(fork, {fork.x, fork.y, 0.9F * shape.height}, trunk * 0.75F, trunk * 0.1F, 4);
   if (!near) {
     habit.lobes = 4;
@@ -84,7 +84,7 @@ PlantMesh pine_mesh(const PlantShape& shape, PlantDetail detail, std::uint64_t s
                        0.55F * shape.height);
   const glm::vec3 top(bend.x * 1.2F, bend.y * 1.2F, 0.93F * shape.height);
   builder.stem({0, 0, -0.3F}, bend, trunk * 1.25F, trunk * 0.85F, near ? 6 : 3);
-  builder.stem(bend, top, trunk * 0.85F, trunk * 0.15F, near ? 5 : 3);
+  builder.stem(0.985F * bend, top, trunk * 0.85F, trunk * 0.15F, near ? 5 : 3);
   // Plates of needles on limbs that rise a little, widest low in the crown, rounded on top.
   const int limbs = near ? 13 : 6;
   for (int i = 0; i < limbs; ++i) {
@@ -109,34 +109,39 @@ PlantMesh spruce_mesh(const PlantShape& shape, PlantDetail detail, std::uint64_t
   const bool near = detail == PlantDetail::near;
   const float radius = 0.5F * shape.crown_diameter;
   const float base = shape.height * shape.trunk_fraction;
-  const CrownForm crown{{0, 0, base + 0.35F * (shape.height - base)}, {radius, radius, 0.65F * (shape.height - base)}};
+  const float length = shape.height - base;
+  const CrownForm crown{{0, 0, base + 0.3F * length}, {radius, radius, 0.7F * length}};
   PlantMeshBuilder builder(crown, seed);
   const float trunk = shape.height * 0.014F;
   builder.stem({0, 0, -0.3F}, {0, 0, 0.95F * shape.height}, trunk * 1.3F, trunk * 0.1F, near ? 5 : 3);
-  const int whorls = near ? 13 : 5;
-  for (int w = 0; w < whorls; ++w) {
-    const float t = float(w) / float(whorls);
-    const float height = glm::mix(base, shape.height * 0.94F, std::pow(t, 0.9F));
-    const float reach = radius * (1 - t) * builder.random.between(0.88F, 1.08F) + 0.12F * radius;
-    const int boughs = near ? (t < 0.6F ? 9 : 6) : (t < 0.6F ? 6 : 4);
+  // Tiers of hanging boughs like tiles of a steep roof, each overlapping the one below; closer together toward the top.
+  const int tiers = near ? 16 : 6;
+  const float shrink = std::pow(0.06F, 1.0F / float(tiers));
+  float left = 1;
+  for (int tier = 0; tier < tiers; ++tier, left *= shrink) {
+    const float drop = length * left * (1 - shrink) * (near ? 1.7F : 1.3F);
+    const float tip = shape.height - length * left;
+    const int boughs = near ? (left > 0.4F ? 9 : 6) : (left > 0.3F ? 6 : 4);
     for (int b = 0; b < boughs; ++b) {
-      const float turn = glm::two_pi<float>() * (float(b) + builder.random.between(-0.25F, 0.25F)) / float(boughs) +
-                         glm::radians(137.5F) * float(w);
-      const float droop = builder.random.between(0.25F, 0.5F) * (1 - 0.8F * t);
-      const glm::vec3 along = glm::normalize(glm::vec3(std::cos(turn), std::sin(turn), -droop));
-      const glm::vec3 over =
-          glm::normalize(glm::vec3(std::cos(turn) * droop, std::sin(turn) * droop, 1) + builder.random.direction() * 0.25F);
-      builder.card({glm::vec3(0, 0, height) + along * reach * 0.5F, over, along, reach * (near ? 0.85F : 1.3F), reach * 1.08F,
-                    LeafPicture::bough});
+      const float turn = glm::two_pi<float>() * (float(b) + builder.random.between(-0.2F, 0.2F)) / float(boughs) +
+                         glm::radians(137.5F) * float(tier);
+      const float reach = radius * left * builder.random.between(0.78F, 1.0F);
+      const glm::vec3 out(std::cos(turn), std::sin(turn), 0);
+      const glm::vec3 foot(0, 0, tip + drop * builder.random.between(0.9F, 1.1F));
+      const glm::vec3 end = out * reach + glm::vec3(0, 0, tip + builder.random.between(-0.12F, 0.12F) * drop);
+      const glm::vec3 along = end - foot;
+      const glm::vec3 over = glm::normalize(out * drop + glm::vec3(0, 0, reach) + builder.random.direction() * 0.25F * drop);
+      const float width = 1.5F * glm::two_pi<float>() * reach / float(boughs);
+      builder.card({0.5F * (foot + end), over, along, width, glm::length(along), LeafPicture::bough});
     }
   }
   // The leader: two upright cards.
   for (const float turn : {0.3F, 1.9F}) {
-    const float size = 0.16F * shape.height;
+    const float size = 0.1F * length;
     builder.card({{0, 0, shape.height - 0.5F * size},
                   {std::cos(turn), std::sin(turn), 0},
                   {0, 0, 1},
-                  size * 0.5F,
+                  size * 0.35F,
                   size,
                   LeafPicture::bough});
   }

@@ -136,6 +136,8 @@ void add_view(std::vector<EditorCommand>& list) {
   add_switch(list, "view.herds", "Herds", "", "Show herds where they are at this hour", &EditorView::herds);
   add_switch(list, "view.plants", "Plants in 3D", "", "Show plants in the 3D view", &EditorView::plants);
   add_switch(list, "view.hatch", "Hatch what is painted", "", "Mark where the map has been painted", &EditorView::hatch);
+  add_switch(list, "view.iso_lines", "Iso-lines of the map", "I", "Draw lines of equal value of the map over the terrain",
+             &EditorView::iso_lines);
   for (int tab = 0; tab < tab_count; ++tab) {
     list.push_back(plain("tab." + std::to_string(tab + 1), "View", std::string(tab_title(Tab(tab))), std::to_string(tab + 1),
                          std::string("Go to the tab ") + std::string(tab_title(Tab(tab))), "",

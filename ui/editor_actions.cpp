@@ -10,6 +10,8 @@
 namespace biotope {
 namespace {
 
+constexpr std::size_t most_named_routes = 12;
+
 void measure_terrain(EditorState& state) {
   const Terrain& terrain = *state.document.terrain;
   const auto heights = terrain.height.cells();
@@ -47,6 +49,11 @@ void set_document(EditorState& state, Document document) {
   state.view.camera_untouched = true;
   state.view.visible_species.clear();
   state.selected_species = -1;
+  state.also_selected.clear();
+  state.companions.close();
+  state.companion_grounds.clear();
+  state.dragged_value.reset();
+  state.dragged_climate.reset();
   state.counting.cancel();
   state.preparing.cancel();
   state.figures.clear();
@@ -247,6 +254,7 @@ void complain(EditorState& state, std::string title, const Error& error) {
 
 void select_species(EditorState& state, int species) {
   state.selected_species = species;
+  state.also_selected.clear();
   const FoodWeb* web = state.web();
   if (web == nullptr || species < 0 || species >= int(web->species.size())) return;
   const bool plant = web->species[std::size_t(species)].is_plant();
@@ -255,6 +263,27 @@ void select_species(EditorState& state, int species) {
   // The kind of map that was looked at is kept, so that fitness can be compared from species to species.
   const bool keeps_kind = map.kind != MapKind::none && map.kind != MapKind::group_cover;
   map = {keeps_kind ? map.kind : plant ? MapKind::plant_cover : MapKind::animal_density, species};
+}
+
+void toggle_species(EditorState& state, int species) {
+  const FoodWeb* web = state.web();
+  if (web == nullptr || species < 0 || species >= int(web->species.size())) return;
+  const int selected = state.selected_species;
+  const bool alone = selected < 0 || selected >= int(web->species.size()) ||
+                     web->species[std::size_t(selected)].is_plant() != web->species[std::size_t(species)].is_plant();
+  if (alone) {
+    select_species(state, species);
+  } else if (species == selected) {
+    if (state.also_selected.empty()) return;
+    // Another of the group takes its place.
+    std::set<int> others = state.also_selected;
+    const int next = *others.begin();
+    others.erase(next);
+    select_species(state, next);
+    state.also_selected = std::move(others);
+  } else if (state.also_selected.erase(species) == 0) {
+    state.also_selected.insert(species);
+  }
 }
 
 const MapId& shown_map(const EditorState& state) { return state.view.shown[std::size_t(state.view.tab)]; }
@@ -271,7 +300,9 @@ void show_map(EditorState& state, const MapId& map) {
   const FoodWeb* web = state.web();
   if (web == nullptr) return;
   const std::optional<LayerId> layer = layer_of_map(map, *web);
-  if (layer && layer->kind != LayerKind::resource) state.selected_species = map.item;
+  if (!layer || layer->kind == LayerKind::resource) return;
+  if (state.selected_species != map.item) state.also_selected.clear();
+  state.selected_species = map.item;
 }
 
 void ask_why(EditorState& state, int x, int y) {
@@ -308,6 +339,12 @@ void update(EditorState& state, double now, double frame_seconds) {
   if (state.shown && state.shown->plans != state.activity_of) {
     state.activity_of = state.shown->plans;
     state.activity = activity_curve(*state.shown);
+  }
+  if (state.shown && state.shown->trails != state.trail_figures_of) {
+    state.trail_figures_of = state.shown->trails;
+    state.trail_figures = state.trail_figures_of
+                              ? trail_figures(*state.trail_figures_of, state.shown->terrain().cell_size, most_named_routes)
+                              : TrailFigures{};
   }
   if (state.clock.playing) {
     state.clock.hour = std::fmod(state.clock.hour + state.clock.speed * std::min(frame_seconds, 0.25), 24.0);

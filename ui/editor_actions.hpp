@@ -52,6 +52,8 @@ void clear_paint(EditorState& state, const LayerId& layer);
 // Looking.
 
 void select_species(EditorState& state, int species);
+/// Puts a species among those painted together, or takes it out; one of another kind is selected alone.
+void toggle_species(EditorState& state, int species);
 void show_map(EditorState& state, const MapId& map);
 [[nodiscard]] const MapId& shown_map(const EditorState& state);
 /// The map the canvas shows: the tab's, with the clock's month where maps follow it.

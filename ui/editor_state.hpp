@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,8 @@
 #include "ui/settings.hpp"
 #include "ui/shortcut.hpp"
 #include "ui/species_figures.hpp"
+#include "ui/stroke_group.hpp"
+#include "ui/trail_figures.hpp"
 
 namespace biotope {
 
@@ -62,6 +66,7 @@ struct EditorView {
   bool herds = true;
   bool plants = true;
   bool hatch = true;
+  bool iso_lines = false;
   float opacity = 0.85F;
   std::vector<bool> visible_species;
 };
@@ -152,6 +157,9 @@ struct EditorState {
   BackgroundTask<bool> saving;
   PaintSession painting;
   BackgroundTask<PaintGround> preparing;
+  /// Grounds of the species that are painted beside the selected one, and the strokes over them.
+  std::map<LayerId, PaintGround> companion_grounds;
+  StrokeGroup companions;
 
   /// Figures of the species list and the snapshot they are of.
   struct SpeciesCount {
@@ -164,6 +172,8 @@ struct EditorState {
   std::shared_ptr<const MapsSnapshot> figures_of;
 
   /// Share of animals awake by half hour, of the plans they were made from.
+  TrailFigures trail_figures;
+  std::shared_ptr<const TrailNetwork> trail_figures_of;
   std::vector<float> activity;
   std::shared_ptr<const std::vector<DailyPlan>> activity_of;
 
@@ -173,9 +183,15 @@ struct EditorState {
   Brush brush;
   /// Selected species' number in the web; -1: none.
   int selected_species = -1;
+  /// Species that are painted together with the selected one, by number; all plants or all animals.
+  std::set<int> also_selected;
+  /// Names of species that no brush may change.
+  std::set<std::string> locked_species;
   std::optional<CellQuestion> question;
   /// A value being dragged in a panel that becomes one step of the history when it is let go.
   std::optional<float> dragged_value;
+  /// The same for a month dragged in the climate diagram.
+  std::optional<Climate> dragged_climate;
   PointerReadout pointer;
   PointerPath path;
   std::vector<KeyPress> key_presses;

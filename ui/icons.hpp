@@ -50,6 +50,8 @@ inline constexpr const char* theme = "\xef\x81\x82";
 inline constexpr const char* frame = "\xef\x82\xb2";
 inline constexpr const char* image = "\xef\x80\xbe";
 inline constexpr const char* calendar = "\xef\x81\xb3";
+inline constexpr const char* lock = "\xef\x80\xa3";
+inline constexpr const char* unlock = "\xef\x82\x9c";
 inline constexpr const char* project = "\xef\x80\xba";
 
 }  // namespace biotope::icons

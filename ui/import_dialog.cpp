@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "ui/crop_selection.hpp"
 #include "ui/dialogs.hpp"
 #include "ui/editor_actions.hpp"
 #include "ui/format.hpp"
@@ -38,6 +39,7 @@ void ImportDialog::look(const std::filesystem::path& file) {
     vertical_scale_ = 1;
     longer_side_ = 0;
     keep_voids_ = false;
+    crop_.reset();
     is_raw_ = has_raw_ending(file);
     raw_ = {};
     raw_.width = raw_.height = square_side(file, 2);
@@ -45,7 +47,7 @@ void ImportDialog::look(const std::filesystem::path& file) {
   preview_.reset();
   picture_.reset();
   problem_.clear();
-  looking_.start("Looking at the file", [file, options = chosen()](const TaskContext&) { return preview_dem(file, options); });
+  looking_.start("Looking at the file", [file, options = chosen(false)](const TaskContext&) { return preview_dem(file, options); });
 }
 
 void ImportDialog::take_preview() {
@@ -63,8 +65,9 @@ void ImportDialog::take_preview() {
 
 bool ImportDialog::needs_cell_size() const { return preview_ && !preview_->cell_size && cell_size_ <= 0; }
 
-DemImportOptions ImportDialog::chosen() const {
+DemImportOptions ImportDialog::chosen(bool with_crop) const {
   DemImportOptions options;
+  if (with_crop) options.crop = crop_;
   if (cell_size_ > 0) options.cell_size = cell_size_;
   options.vertical_scale = vertical_scale_;
   if (longer_side_ > 0) options.longer_side = longer_side_;
@@ -75,7 +78,7 @@ DemImportOptions ImportDialog::chosen() const {
 
 void ImportDialog::draw_picture(const UiContext& ui, float side) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::Dummy(ImVec2(side, side));
+  ImGui::InvisibleButton("picture", ImVec2(side, side));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(at, ImVec2(at.x + side, at.y + side), colour_u32(ui.theme.window), ui.theme.px(4));
   if (!picture_) {
@@ -101,6 +104,39 @@ void ImportDialog::draw_picture(const UiContext& ui, float side) {
   renderer_->draw(options, int(side), int(side));
   const auto texture = reinterpret_cast<ImTextureID>(std::uintptr_t(target_->texture()));
   list.AddImageRounded(texture, at, ImVec2(at.x + side, at.y + side), ImVec2(0, 1), ImVec2(1, 0), IM_COL32_WHITE, ui.theme.px(4));
+  drag_crop(options.view, at, side);
+  draw_crop(ui, options.view, at, side);
+}
+
+void ImportDialog::drag_crop(const MapView& view, ImVec2 at, float side) {
+  if (!preview_) return;
+  if (ImGui::IsItemActivated()) crop_from_ = ImGui::GetIO().MousePos;
+  if (!ImGui::IsItemActive()) return;
+  const PixelPoint canvas{double(side), double(side)};
+  const auto cell = [&](ImVec2 pixel) { return cell_at(view, canvas, {double(pixel.x - at.x), double(pixel.y - at.y)}); };
+  const Grid<float>& shown = picture_->terrain().height;
+  crop_ = cropped_cells(cell(crop_from_), cell(ImGui::GetIO().MousePos), shown.width(), shown.height(), preview_->width,
+                        preview_->height);
+}
+
+void ImportDialog::draw_crop(const UiContext& ui, const MapView& view, ImVec2 at, float side) const {
+  if (!crop_ || !preview_) return;
+  const Grid<float>& shown = picture_->terrain().height;
+  const auto corner = [&](int x, int y) {
+    const double across = double(x) / preview_->width * shown.width() - 0.5;
+    const double down = double(y) / preview_->height * shown.height() - 0.5;
+    const PixelPoint pixel = pixel_of(view, {double(side), double(side)}, across, down);
+    return ImVec2(at.x + float(pixel.x), at.y + float(pixel.y));
+  };
+  const ImVec2 low = corner(crop_->x0, crop_->y0);
+  const ImVec2 high = corner(crop_->x1, crop_->y1);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImU32 shade = IM_COL32(0, 0, 0, 120);
+  list.AddRectFilled(at, ImVec2(at.x + side, low.y), shade);
+  list.AddRectFilled(ImVec2(at.x, high.y), ImVec2(at.x + side, at.y + side), shade);
+  list.AddRectFilled(ImVec2(at.x, low.y), ImVec2(low.x, high.y), shade);
+  list.AddRectFilled(ImVec2(high.x, low.y), ImVec2(at.x + side, high.y), shade);
+  list.AddRect(low, high, colour_u32(ui.theme.accent), 0, 0, ui.theme.px(1.5F));
 }
 
 void ImportDialog::draw_facts(const UiContext& ui) const {
@@ -148,6 +184,12 @@ void ImportDialog::draw_fields(const UiContext& ui) {
   ImGui::InputDouble("Heights times", &vertical_scale_, 0, 0, "%.4g");
   tooltip(ui.theme, "1 for metres, 0.3048 for feet");
   if (!(vertical_scale_ > 0)) vertical_scale_ = 1;
+  if (crop_) {
+    readout(ui.theme, "Part taken", std::to_string(crop_->width()) + " x " + std::to_string(crop_->height()) + " cells");
+    if (ImGui::Button("Take the whole file")) crop_.reset();
+  } else if (preview_) {
+    hint(ui.theme, "Drag over the picture to take only a part of it.");
+  }
   ImGui::InputScalar("Cells on the longer side", ImGuiDataType_S32, &longer_side_, nullptr, nullptr,
                      longer_side_ > 0 ? "%d" : "as in the file");
   tooltip(ui.theme, "0 keeps the file's own resolution");
@@ -199,7 +241,7 @@ void ImportDialog::draw(const UiContext& ui) {
     ImGui::CloseCurrentPopup();
   }
   ImGui::EndPopup();
-  if (accepted) open_asking(state, file_.string(), chosen());
+  if (accepted) open_asking(state, file_.string(), chosen(true));
 }
 
 }  // namespace biotope

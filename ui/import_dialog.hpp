@@ -25,7 +25,9 @@ class ImportDialog {
   void draw_fields(const UiContext& ui);
   void draw_raw_fields(const UiContext& ui);
   [[nodiscard]] bool needs_cell_size() const;
-  [[nodiscard]] DemImportOptions chosen() const;
+  [[nodiscard]] DemImportOptions chosen(bool with_crop) const;
+  void drag_crop(const MapView& view, ImVec2 at, float side);
+  void draw_crop(const UiContext& ui, const MapView& view, ImVec2 at, float side) const;
 
   std::filesystem::path file_;
   BackgroundTask<DemPreview> looking_;
@@ -39,6 +41,8 @@ class ImportDialog {
   double vertical_scale_ = 1;
   int longer_side_ = 0;  ///< 0: as it is
   bool keep_voids_ = false;
+  std::optional<Rect> crop_;  ///< cells of the file; nothing: all of it
+  ImVec2 crop_from_;          ///< where the drag over the picture began
   bool is_raw_ = false;
   RawLayout raw_;
 };

@@ -17,7 +17,8 @@
 namespace biotope {
 namespace {
 
-constexpr double wanted_seconds = 1.0 / 28;  // of a moving picture; map and window take their share of the frame too
+constexpr double wanted_seconds = 1.0 / 24;  // of a moving picture; map and window take their share of the frame too
+constexpr double coarsest = 0.4;             // share of the resolution below which one no longer sees what is there
 constexpr double rest_seconds = 0.25;        // after which the picture is drawn sharp
 
 bool same_camera(const Camera& a, const Camera& b) {
@@ -81,10 +82,18 @@ void LandscapeCanvas::draw_picture(const UiContext& ui, int width, int height) {
   const bool same = has_picture_ && same_camera(wanted.camera, drawn_.camera) && same_options(wanted.options, drawn_.options) &&
                     wanted.snapshot == drawn_.snapshot && width == drawn_.width && height == drawn_.height;
   if (!same) last_change_ = now;
-  const bool resting = now - last_change_ > rest_seconds;
+  // Plants that are still being built come in quickly on a coarse picture; the sharp one follows.
+  const bool complete = has_picture_ && renderer_->complete();
+  const bool resting = now - last_change_ > rest_seconds && complete;
   const double resolution = software_ && !resting ? resolution_ : 1.0;
-  refining_ = software_ && !resting && resolution < 1;
-  if (same && drawn_resolution_ >= resolution) return;
+  refining_ = (software_ && !resting && resolution < 1) || !complete;
+  if (same && complete && drawn_resolution_ >= resolution) return;
+  // A picture that takes long even when it is coarse is drawn less often, so that the rest of the window keeps its pace.
+  const bool moves_slowly = software_ && has_picture_ && width == drawn_.width && height == drawn_.height && !resting;
+  if (moves_slowly && now - drawn_at_ < 1.5 * drawn_seconds_) {
+    refining_ = true;
+    return;
+  }
   const int target_width = std::max(int(width * resolution), 16);
   const int target_height = std::max(int(height * resolution), 16);
   target_->resize(target_width, target_height);
@@ -97,10 +106,12 @@ void LandscapeCanvas::draw_picture(const UiContext& ui, int width, int height) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     // What a full picture costs tells how coarse a moving one must be; half-way steps keep it from flickering.
     const double fitting = resolution * std::sqrt(wanted_seconds / std::max(seconds, 1e-4));
-    resolution_ = std::clamp(0.5 * resolution_ + 0.5 * fitting, 0.3, 1.0);
+    resolution_ = std::clamp(0.5 * resolution_ + 0.5 * fitting, coarsest, 1.0);
+    drawn_seconds_ = seconds;
   }
   drawn_ = std::move(wanted);
   drawn_resolution_ = resolution;
+  drawn_at_ = ImGui::GetTime();
   has_picture_ = true;
 }
 

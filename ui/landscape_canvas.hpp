@@ -47,6 +47,8 @@ class LandscapeCanvas {
   bool software_ = false;  ///< drawn by the processor
   double resolution_ = 1;  ///< share of the full resolution while moving
   double drawn_resolution_ = 0;
+  double drawn_at_ = 0;       ///< time of the last picture, s
+  double drawn_seconds_ = 0;  ///< what it took, s
   double last_change_ = 0;  ///< time of the last change of the picture, s
   bool refining_ = false;
   bool takes_letters_ = false;

@@ -11,6 +11,7 @@
 #include "ui/format.hpp"
 #include "ui/icons.hpp"
 #include "ui/map_furniture.hpp"
+#include "ui/outdated_area.hpp"
 #include "ui/view_transform.hpp"
 
 namespace biotope {
@@ -58,7 +59,6 @@ MapOptions MapCanvas::options_for(const UiContext& ui) {
   const MapId painted_map = web != nullptr && state.painting.shown() ? map_of_layer(state.painting.layer(), *web) : MapId{};
   if (id.kind != MapKind::none && painted_map == id) {
     values_.cells = state.painting.shown();
-    values_.high = std::max(values_.high, state.painting.greatest());
     values_current_ = true;
   } else {
     auto answer = state.maps.request(state.newest, id);
@@ -69,6 +69,7 @@ MapOptions MapCanvas::options_for(const UiContext& ui) {
   if (values_.cells && id.kind != MapKind::none) {
     const ScaleRange range = scale_range(entry, values_.low, values_.high);
     options.overlay = MapOverlay{values_.cells, range.low, range.high, entry.colours, state.view.opacity, entry.clear_below};
+    if (state.view.iso_lines) options.line_step = line_step(range);
   }
   if (web != nullptr && state.view.hatch) {
     if (const auto layer = layer_of_map(id, *web)) {
@@ -172,6 +173,22 @@ void MapCanvas::handle_mouse(const UiContext& ui, PixelPoint canvas, PixelPoint 
   handle_tool(ui, canvas, cell, hovered);
 }
 
+void MapCanvas::draw_pulse(const UiContext& ui, ImVec2 origin, PixelPoint canvas) const {
+  const EditorState& state = ui.state;
+  if (!state.worker || !state.worker->progress().busy || !state.shown || !state.document.terrain) return;
+  const Rect area = outdated_area(state.document, *state.shown);
+  if (area.empty()) return;
+  const PixelPoint low = pixel_of(state.view.map, canvas, area.x0 - 0.5, area.y0 - 0.5);
+  const PixelPoint high = pixel_of(state.view.map, canvas, area.x1 - 0.5, area.y1 - 0.5);
+  const auto wave = float(0.5 + 0.5 * std::sin(ImGui::GetTime() * 5));
+  const ImVec2 from(origin.x + float(low.x), origin.y + float(low.y));
+  const ImVec2 to(origin.x + float(high.x), origin.y + float(high.y));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float round = ui.theme.px(4);
+  list.AddRect(from, to, colour_u32(with_alpha(ui.theme.accent, 0.10F + 0.20F * wave)), round, 0, ui.theme.px(5));
+  list.AddRect(from, to, colour_u32(with_alpha(ui.theme.accent, 0.35F + 0.50F * wave)), round, 0, ui.theme.px(1.5F));
+}
+
 void MapCanvas::draw_cursor(const UiContext& ui, ImVec2 origin, PixelPoint canvas, PixelPoint pixel, bool hovered) const {
   const EditorState& state = ui.state;
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -262,6 +279,7 @@ void MapCanvas::draw(const UiContext& ui, ImVec2 size) {
   list.PushClipRect(origin, end, true);
   const auto texture = reinterpret_cast<ImTextureID>(std::uintptr_t(target_->texture()));
   list.AddImage(texture, origin, end, ImVec2(0, 1), ImVec2(1, 0));
+  draw_pulse(ui, origin, canvas);
   draw_cursor(ui, origin, canvas, pixel, hovered);
   if (state.document.terrain) {
     const MapEntry entry = describe_map(visible_map(state), state.web());

@@ -32,6 +32,8 @@ class MapCanvas {
   void handle_zoom(const UiContext& ui, PixelPoint canvas, PixelPoint pixel) const;
   void handle_tool(const UiContext& ui, PixelPoint canvas, const PathPoint& cell, bool hovered);
   void follow_stroke(const UiContext& ui, PixelPoint canvas);
+  /// Edge of what is being computed again, breathing.
+  void draw_pulse(const UiContext& ui, ImVec2 origin, PixelPoint canvas) const;
   void draw_cursor(const UiContext& ui, ImVec2 origin, PixelPoint canvas, PixelPoint pixel, bool hovered) const;
   void draw_context_menu(const UiContext& ui);
   void draw_herd_tooltip(const UiContext& ui, PixelPoint canvas, PixelPoint pixel) const;

@@ -74,7 +74,7 @@ MapEntry describe_map(const MapId& id, const FoodWeb* web) {
     case MapKind::geology:
       return describe_ground(id);
     case MapKind::plant_cover:
-      return {id, species_title(web, id.item, "cover"), "%", ColourMap::greens, 0.0F, {}, 0, {}};
+      return {id, species_title(web, id.item, "cover"), "%", ColourMap::greens, 0.0F, 1.0F, 0, {}};
     case MapKind::plant_fitness:
       return {id, species_title(web, id.item, "fitness"), "%", ColourMap::viridis, 0.0F, 1.0F, nothing_clear, {}};
     case MapKind::plant_surplus:

@@ -36,12 +36,29 @@ void draw_class_legend(const Theme& theme, ImVec2 corner, const MapEntry& map) {
 
 }  // namespace
 
+float round_up(float value) {
+  if (!(value > 0) || !std::isfinite(value)) return value;
+  const double decade = std::pow(10, std::floor(std::log10(double(value))));
+  for (const double step : {1.0, 2.0, 5.0}) {
+    // A hair above a round number is that number.
+    if (double(value) <= step * decade * 1.0001) return float(step * decade);
+  }
+  return float(10 * decade);
+}
+
+float line_step(const ScaleRange& range) {
+  const std::vector<double> ticks = round_ticks(range.low, range.high, 6);
+  return ticks.size() < 2 ? 0 : float(ticks[1] - ticks[0]);
+}
+
 ScaleRange scale_range(const MapEntry& map, float least, float greatest) {
   float low = map.low.value_or(least);
   float high = map.high.value_or(greatest);
   // A map that is nearly empty or flat still gets a scale one can read.
   const float smallest = map.unit == "%" ? 0.05F : 1.0F;
   if (!map.high && map.unit == "%") high = std::max(high, smallest);
+  // Amounts end at a round number, so that the scale stays where it is while values change a little.
+  if (!map.high && map.low == 0.0F) high = round_up(high);
   if (!(high > low)) high = low + std::max(std::abs(low) * 0.01F, smallest);
   return {low, high};
 }

@@ -19,5 +19,9 @@ struct ScaleRange {
   float high = 1;
 };
 [[nodiscard]] ScaleRange scale_range(const MapEntry& map, float least, float greatest);
+/// The least of 1, 2 and 5 times a power of ten that is not below a positive value; other values as they are.
+[[nodiscard]] float round_up(float value);
+/// A round difference for iso-lines of a scale; 0 when there is none.
+[[nodiscard]] float line_step(const ScaleRange& range);
 
 }  // namespace biotope

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "ui/editor_actions.hpp"
 
@@ -20,6 +21,42 @@ float densest(const EditorState& state, const LayerId& layer) {
   return float(std::max(3 * most, 1.0));
 }
 
+bool locked(const EditorState& state, const LayerId& layer) {
+  return layer.kind != LayerKind::resource && state.locked_species.contains(layer.name);
+}
+
+LayerId layer_of(const Species& species) {
+  return {species.is_plant() ? LayerKind::plant_density : LayerKind::animal_density, species.name};
+}
+
+/// Layers the brush paints beside the target: the other selected species of its kind that are not locked.
+std::vector<LayerId> companion_layers(const EditorState& state, const LayerId& target) {
+  std::vector<LayerId> layers;
+  const FoodWeb* web = state.web();
+  if (web == nullptr || target.kind == LayerKind::resource) return layers;
+  for (const int number : state.also_selected) {
+    if (number < 0 || number >= int(web->species.size())) continue;
+    const LayerId layer = layer_of(web->species[std::size_t(number)]);
+    if (layer.kind == target.kind && layer != target && !locked(state, layer)) layers.push_back(layer);
+  }
+  return layers;
+}
+
+bool has_ground(const EditorState& state, const LayerId& layer) {
+  const auto ground = state.companion_grounds.find(layer);
+  return ground != state.companion_grounds.end() && ground->second.computed &&
+         ground->second.source == computed_source(*state.shown, layer);
+}
+
+/// The next layer the brush will need whose map is not ready.
+std::optional<LayerId> unprepared(const EditorState& state, const LayerId& target) {
+  if (computed_source(*state.shown, target) && !state.painting.prepared(*state.shown, target)) return target;
+  for (const LayerId& layer : companion_layers(state, target)) {
+    if (computed_source(*state.shown, layer) && !has_ground(state, layer)) return layer;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<LayerId> paint_target(const EditorState& state) {
@@ -36,6 +73,7 @@ std::string paint_hindrance(const EditorState& state) {
   const std::optional<LayerId> target = paint_target(state);
   if (!target && state.view.tab == Tab::climate) return "Choose the map of illumination, temperature or moisture to paint it";
   if (!target) return "Choose a species in the list, or a resource map in the Climate tab, to paint it";
+  if (locked(state, *target)) return "This species is locked: open its lock in the list to paint it";
   if (!state.shown || !state.shown->web || source_of(*state.shown, map_of_layer(*target, *state.shown->web)) == nullptr) {
     return "The map under the paint is still being computed";
   }
@@ -49,6 +87,8 @@ Brush brush_of_tool(const EditorState& state) {
   brush.floor = kind == LayerKind::resource ? 1.0F : 0.0F;
   brush.value = kind == LayerKind::resource ? 9.0F : 1.0F;
   if (kind == LayerKind::animal_density) brush.value = densest(state, *target);
+  // Species painted together share the ground in equal parts.
+  if (target) brush.value /= float(1 + companion_layers(state, *target).size());
   switch (state.tool) {
     case Tool::erase:
       brush.mode = BrushMode::subtract;
@@ -67,11 +107,20 @@ Brush brush_of_tool(const EditorState& state) {
 }
 
 void prepare_painting(EditorState& state) {
-  if (auto made = state.preparing.take(); made && *made) state.painting.prepare(std::move(**made));
+  if (auto made = state.preparing.take(); made && *made) {
+    const std::optional<LayerId> target = paint_target(state);
+    if (target && *target != (*made)->layer) {
+      state.companion_grounds[(*made)->layer] = std::move(**made);
+    } else {
+      state.painting.prepare(std::move(**made));
+    }
+  }
   if (state.tool == Tool::select || !state.shown || state.preparing.running() || state.painting.stroking()) return;
+  if (state.also_selected.empty()) state.companion_grounds.clear();
   const std::optional<LayerId> target = paint_target(state);
-  if (!target || !computed_source(*state.shown, *target) || state.painting.prepared(*state.shown, *target)) return;
-  state.preparing.start("Preparing", [snapshot = state.shown, layer = *target](const TaskContext&) -> Result<PaintGround> {
+  const std::optional<LayerId> wanted = target ? unprepared(state, *target) : std::nullopt;
+  if (!wanted) return;
+  state.preparing.start("Preparing", [snapshot = state.shown, layer = *wanted](const TaskContext&) -> Result<PaintGround> {
     return PaintGround{layer, computed_source(*snapshot, layer), computed_under(*snapshot, layer)};
   });
 }
@@ -84,6 +133,13 @@ void begin_stroke(EditorState& state, float x, float y) {
   }
   const LayerId target = *paint_target(state);
   if (!state.painting.begin(*state.shown, state.document, target)) return;
+  state.companions.close();
+  for (const LayerId& layer : companion_layers(state, target)) {
+    if (!has_ground(state, layer)) {
+      state.companion_grounds[layer] = {layer, computed_source(*state.shown, layer), computed_under(*state.shown, layer)};
+    }
+    if (state.companion_grounds[layer].computed) state.companions.begin(state.companion_grounds[layer]);
+  }
   // One sees what one paints.
   const MapId map = map_of_layer(target, *state.shown->web);
   if (target.kind == LayerKind::resource) {
@@ -98,13 +154,21 @@ void begin_stroke(EditorState& state, float x, float y) {
 
 void continue_stroke(EditorState& state, float x, float y) {
   if (!state.painting.stroking()) return;
-  const Rect changed = state.painting.move_to(state.document, brush_of_tool(state), x, y);
-  if (!changed.empty()) state.must_post = true;
+  const Brush brush = brush_of_tool(state);
+  const Rect changed = state.painting.move_to(state.document, brush, x, y);
+  const bool others = state.companions.move_to(state.document, brush, x, y);
+  if (!changed.empty() || others) state.must_post = true;
 }
 
 void end_stroke(EditorState& state) {
   if (!state.painting.stroking()) return;
   std::unique_ptr<Command> command = state.painting.finish(state.document);
+  std::vector<std::unique_ptr<Command>> others = state.companions.finish(state.document);
+  if (!others.empty()) {
+    const std::string name = "Paint " + std::to_string(others.size() + (command ? 1 : 0)) + " species";
+    if (command) others.insert(others.begin(), std::move(command));
+    command = std::make_unique<GroupCommand>(name, std::move(others));
+  }
   if (!command) return;
   state.history.record(std::move(command));
   ++state.edits;

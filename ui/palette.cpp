@@ -130,32 +130,33 @@ void draw_first_steps(const UiContext& ui) {
   EditorState& state = ui.state;
   if (!state.dialogs.first_steps) return;
   const Theme& theme = ui.theme;
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos(ImVec2(screen.x * 0.735F, theme.px(132)), ImGuiCond_Always, ImVec2(1, 0));
-  ImGui::SetNextWindowSize(ImVec2(theme.px(330), 0));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(theme.px(16), theme.px(14)));
+  // In the corner of the views that holds neither legend nor north arrow.
+  ImGui::SetNextWindowPos(ImVec2(theme.px(52), ImGui::GetFrameHeight() + theme.px(50)), ImGuiCond_Always);
+  ImGui::SetNextWindowSize(ImVec2(theme.px(264), 0));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(theme.px(12), theme.px(9)));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(theme.px(6), theme.px(3)));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, with_alpha(theme.panel, 0.97F));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, with_alpha(theme.panel, 0.92F));
   ImGui::Begin("first steps", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoFocusOnAppearing);
-  ImGui::PushFont(theme.title);
+  ImGui::PushFont(theme.bold);
   ImGui::TextUnformatted("Paint here, look there");
   ImGui::PopFont();
+  ImGui::PushFont(theme.small);
   const std::array<std::string, 3> steps{
-      "Choose a species in the list on the right. Its map shows where it grows or lives.",
-      "Press " + ui.commands.keys("tool.brush") + " and paint on the map. Everything that eats it, or is eaten by it, answers.",
-      "Press the play button below: herds walk their day, on the map and in the 3D view."};
+      "Choose a species on the right: its map shows where it lives.",
+      "Press " + ui.commands.keys("tool.brush") + " and paint on the map: what eats it answers.",
+      "Press play below: herds walk their day, here and in 3D."};
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    ImGui::PushFont(theme.bold);
     ImGui::TextColored(theme.accent, "%d", int(i) + 1);
-    ImGui::PopFont();
-    ImGui::SameLine(theme.px(36));
+    ImGui::SameLine(theme.px(28));
     ImGui::TextWrapped("%s", steps[i].c_str());
   }
-  ImGui::Dummy(ImVec2(0, theme.px(2)));
-  align_buttons(theme, 1, 90);
-  if (primary_button(theme, "Got it", theme.px(90))) {
+  align_buttons(theme, 1, 70);
+  const bool closed = primary_button(theme, "Got it", theme.px(70));
+  ImGui::PopFont();
+  if (closed) {
     state.dialogs.first_steps = false;
     state.settings.first_steps_closed = true;
     // Written at once, so that it never comes back.
@@ -163,7 +164,7 @@ void draw_first_steps(const UiContext& ui) {
   }
   ImGui::End();
   ImGui::PopStyleColor();
-  ImGui::PopStyleVar(2);
+  ImGui::PopStyleVar(3);
 }
 
 }  // namespace biotope

@@ -96,7 +96,7 @@ void draw_view_popup(const UiContext& ui) {
     ImGui::PushItemWidth(ui.theme.px(210));
     labelled_slider(ui.theme, "Opacity of the map", state.view.opacity, 0, 1, format_percent(state.view.opacity));
     ImGui::Separator();
-    for (const char* id : {"view.water", "view.contours", "view.trails", "view.herds", "view.plants", "view.hatch"}) {
+    for (const char* id : {"view.water", "view.contours", "view.trails", "view.herds", "view.plants", "view.hatch", "view.iso_lines"}) {
       const EditorCommand* command = ui.commands.find(id);
       bool on = checked(*command, state);
       if (ImGui::Checkbox(command->name.c_str(), &on)) run(*command, state);

@@ -191,7 +191,7 @@ Result<std::vector<DailyPlan>> compute_daily_plans(const FoodWeb& web, std::span
   for (std::size_t i = 0; i < levels.size(); ++i) {
     if (context.stopped()) return fail("stopped");
     planner.plan_level(i);
-    context.report("Daily plans", double(i + 1) / double(levels.size()));
+    context.report("daily plans", double(i + 1) / double(levels.size()));
   }
   return planner.take();
 }

@@ -190,7 +190,7 @@ Result<LevelMovement> compute_level_movement(const FoodWeb& web, const AnimalLev
                                              const TaskContext& context, MovementCache* cache) {
   auto travel = std::make_shared<LevelTravel>();
   if (!level.species.empty()) find_graphs(web, level, ground, cache, *travel);
-  context.report("Travel", 0.4);
+  context.report("travel", 0.4);
   if (context.stopped()) return fail("stopped");
   travel->presence.resize(level.species.size());
   for (std::size_t s = 0; s < level.species.size(); ++s) {
@@ -205,7 +205,7 @@ Result<LevelMovement> compute_level_movement(const FoodWeb& web, const AnimalLev
   for (std::size_t graph = 0; graph < travel->graphs.size(); ++graph) {
     if (context.stopped()) return fail("stopped");
     EdgeFinder(web, level, *travel, graph, ground.terrain->cell_size).run(cache, onward);
-    context.report("Travel", 0.4 + 0.6 * double(graph + 1) / double(travel->graphs.size()));
+    context.report("travel", 0.4 + 0.6 * double(graph + 1) / double(travel->graphs.size()));
   }
   std::sort(onward.begin(), onward.end(), [](const Onward& a, const Onward& b) {
     if (a.edge.species != b.edge.species) return a.edge.species < b.edge.species;

@@ -101,7 +101,7 @@ std::vector<JobWalks> walk_all(const std::vector<WalkJob>& jobs, const TaskConte
       walks.push_back({std::vector<double>(graph.edge_count, 0.0), std::move(cost)});
     }
     left -= job.total;
-    context.report("Trails", 0.5 * double(walks.size()) / double(jobs.size()));
+    context.report("trails", 0.5 * double(walks.size()) / double(jobs.size()));
   }
   return walks;
 }

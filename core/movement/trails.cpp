@@ -45,7 +45,7 @@ Result<TrailNetwork> compute_trails(const FoodWeb& web, std::span<const std::sha
   RouteRefiner refiner(ground, jobs, trails, coarse, cache);
   std::vector<RefinedRoute> refined = refiner.run(context);
   if (context.stopped()) return fail("stopped");
-  context.report("Trails", 0.9);
+  context.report("trails", 0.9);
   TrailNetwork network;
   std::vector<float> wade_depth;
   for (std::size_t i = 0; i < refined.size(); ++i) {
@@ -56,7 +56,7 @@ Result<TrailNetwork> compute_trails(const FoodWeb& web, std::span<const std::sha
   }
   draw_trails(ground, wade_depth, network);
   network.ways = std::move(ways);
-  context.report("Trails", 1.0);
+  context.report("trails", 1.0);
   return network;
 }
 

@@ -11,17 +11,6 @@ namespace {
 constexpr double side = 9216;
 constexpr std::uint64_t seed = 42850;
 
-void shape_course(std::vector<CoursePoint>& course) {
-  const std::vector<double> beds{1084, 1070, 1059, 1052, 1049, 1038, 1021, 1003};
-  const std::vector<double> floors{90, 150, 260, 380, 380, 220, 200, 260};
-  for (std::size_t i = 0; i < course.size(); ++i) {
-    const double fraction = double(i) / double(course.size() - 1);
-    course[i].bed = along(beds, fraction);
-    course[i].floor = along(floors, course[i].y / side);
-    if (i > 0) course[i].bed = std::min(course[i].bed, course[i - 1].bed - 0.002);
-  }
-}
-
 }  // namespace
 
 LandscapeDesign alpine_design() {
@@ -36,7 +25,7 @@ LandscapeDesign alpine_design() {
   course.swing = {0.5, 0.6, 0.6, 0.3, 0.3, 0.8, 1.0, 1.0};
   course.seed = seed;
   design.course = make_course(course, 8);
-  shape_course(design.course);
+  lay_bed(design.course, side, {1084, 1070, 1059, 1052, 1049, 1038, 1021, 1003}, {90, 150, 260, 380, 380, 220, 200, 260});
 
   const auto rock = std::make_shared<LayeredNoise>(seed + 1, side, 1500, 5, 0.6F);
   design.hardness = [rock](double x, double y) { return std::clamp(0.55F + 0.8F * (*rock)(x, y), 0.0F, 1.0F); };

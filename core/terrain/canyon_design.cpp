@@ -11,17 +11,6 @@ namespace {
 constexpr double side = 9216;
 constexpr std::uint64_t seed = 36100;
 
-void shape_course(std::vector<CoursePoint>& course) {
-  const std::vector<double> beds{760, 752, 745, 739, 732, 724, 715, 705};
-  const std::vector<double> floors{60, 90, 70, 130, 110, 60, 90, 120};
-  for (std::size_t i = 0; i < course.size(); ++i) {
-    const double fraction = double(i) / double(course.size() - 1);
-    course[i].bed = along(beds, fraction);
-    course[i].floor = along(floors, course[i].y / side);
-    if (i > 0) course[i].bed = std::min(course[i].bed, course[i - 1].bed - 0.001);
-  }
-}
-
 }  // namespace
 
 LandscapeDesign canyon_design() {
@@ -36,7 +25,7 @@ LandscapeDesign canyon_design() {
   course.swing = {0.7, 1.0, 0.9, 1.0, 1.0, 0.8, 1.0, 0.8};
   course.seed = seed;
   design.course = make_course(course, 8);
-  shape_course(design.course);
+  lay_bed(design.course, side, {760, 752, 745, 739, 732, 724, 715, 705}, {60, 90, 70, 130, 110, 60, 90, 120});
 
   const auto rock = std::make_shared<LayeredNoise>(seed + 1, side, 2400, 2);
   design.hardness = [rock](double x, double y) { return std::clamp(0.9F + 0.2F * (*rock)(x, y), 0.0F, 1.0F); };

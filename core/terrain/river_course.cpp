@@ -9,6 +9,15 @@
 
 namespace biotope {
 
+void lay_bed(std::vector<CoursePoint>& course, double side, const std::vector<double>& beds, const std::vector<double>& floors) {
+  constexpr double least_fall = 0.001;
+  for (std::size_t i = 0; i < course.size(); ++i) {
+    course[i].bed = along(beds, double(i) / double(course.size() - 1));
+    course[i].floor = along(floors, course[i].y / side);
+    if (i > 0) course[i].bed = std::min(course[i].bed, course[i - 1].bed - least_fall);
+  }
+}
+
 double along(const std::vector<double>& values, double fraction) {
   const double place = std::clamp(fraction, 0.0, 1.0) * double(values.size() - 1);
   const auto i = std::min(std::size_t(place), values.size() - 2);

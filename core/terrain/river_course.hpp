@@ -30,6 +30,10 @@ struct CourseDesign {
 /// Points about `step` metres apart from the northern edge to the southern; beds and floors are left 0.
 [[nodiscard]] std::vector<CoursePoint> make_course(const CourseDesign& design, double step);
 
+/// Gives a course its bed and floor: `beds` at equal steps along the river, never rising downstream, `floors` at equal steps from north to
+/// south, m.
+void lay_bed(std::vector<CoursePoint>& course, double side, const std::vector<double>& beds, const std::vector<double>& floors);
+
 /// Value at fraction 0..1 of values given at equal steps, joined smoothly.
 [[nodiscard]] double along(const std::vector<double>& values, double fraction);
 

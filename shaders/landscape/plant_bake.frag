@@ -12,7 +12,9 @@ void main() {
   vec4 leaf = texture(leaves, card);
   if (leaf.a < 0.3) discard;
   float covered = max(leaf.a, 0.2);
-  vec3 base = mix(mix(leaf_colour, flower_colour, min(leaf.g / covered, 1.0)), wood_colour, min(leaf.b / covered, 1.0));
+  // Twigs (picture 8) are dark whatever the bark.
+  vec3 wood = card.z > 7.5 ? min(wood_colour, vec3(0.105, 0.080, 0.063)) : wood_colour;
+  vec3 base = mix(mix(leaf_colour, flower_colour, min(leaf.g / covered, 1.0)), wood, min(leaf.b / covered, 1.0));
   colour = vec4(sqrt(clamp(base * (2.0 * leaf.r / covered), 0.0, 1.0)), 1.0);
   surface = vec4(normalize(facing.xyz) * 0.5 + 0.5, facing.w);
 }

@@ -18,7 +18,9 @@ void main() {
   float level = max(0.0, log2(max(across.x, across.y)));
   if (leaf.a * (1.0 + 0.14 * level) < 0.5) discard;
   float covered = max(leaf.a, 0.2);
-  vec3 base = mix(mix(leaf_colour, flower_colour, min(leaf.g / covered, 1.0)), wood_colour, min(leaf.b / covered, 1.0));
+  // Twigs (picture 8) are dark whatever the bark.
+  vec3 wood = card.z > 7.5 ? min(wood_colour, vec3(0.105, 0.080, 0.063)) : wood_colour;
+  vec3 base = mix(mix(leaf_colour, flower_colour, min(leaf.g / covered, 1.0)), wood, min(leaf.b / covered, 1.0));
   vec3 lit = base * tone * light * (2.0 * leaf.r / covered);
   colour = vec4(to_screen(mix(lit, veil.rgb, veil.a)), 1.0);
 }

@@ -23,6 +23,7 @@ uniform float overlay_clear;    // values at or below are clear
 uniform float overlay_opacity;
 uniform int overlay_colours;    // row of the colour table
 uniform bool overlay_categorical;
+uniform float line_step;        // between iso-lines of the map, 0: none
 uniform bool show_hatch;
 uniform bool show_beyond;
 uniform float pixel_scale;
@@ -47,6 +48,20 @@ vec4 overlay_colour(vec2 cell) {
     soft = smoothstep(0.0, 0.06, (value - overlay_clear) / max(overlay_range.y - overlay_range.x, 1e-9));
   }
   return vec4(texture(colour_table, vec2(mix(0.5 / 256.0, 255.5 / 256.0, t), row)).rgb, soft);
+}
+
+// How much of an iso-line of the map covers the pixel. The map is smoothed over a few pixels, or its grain would draw crumbs.
+float iso_line(vec2 cell) {
+  float reach = max(cells_per_pixel * 2.0, 0.75);
+  float sum = 0.0;
+  for (int y = -1; y <= 1; ++y) {
+    for (int x = -1; x <= 1; ++x) sum += overlay_value(cell + vec2(x, y) * reach) * (2.0 - abs(x)) * (2.0 - abs(y));
+  }
+  if (isnan(sum)) return 0.0;
+  float level = sum / 16.0 / line_step;
+  float spread = max(fwidth(level), 1e-6);
+  float away = abs(fract(level - 0.5) - 0.5) / spread;
+  return (1.0 - smoothstep(0.4, 1.3, away / pixel_scale)) * (1.0 - smoothstep(0.25, 0.7, spread)) * step(0.5, level);
 }
 
 void main() {
@@ -104,6 +119,8 @@ void main() {
     line = max(line, 0.50 * (1.0 - smoothstep(0.5, 1.5, thick / pixel_scale)) * (1.0 - smoothstep(0.9, 2.0, spread)));
     result = mix(result, vec3(0.27, 0.19, 0.12), line * (show_overlay ? 0.6 : 1.0));
   }
+
+  if (line_step > 0.0 && !overlay_categorical) result = mix(result, vec3(0.05, 0.05, 0.06), 0.7 * iso_line(cell));
 
   if (show_hatch) {
     float paint = texture(hatch_map, where).r;

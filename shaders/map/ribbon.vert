@@ -13,6 +13,7 @@ uniform float cells_per_pixel;
 uniform float cell_size;
 uniform vec2 width_range;  // pixels at strength 0 and 1
 uniform float casing;      // extra pixels on each side
+uniform float emphasis;    // exponent over strength: 1 grows evenly, more keeps all but the strongest thin and faint
 uniform vec2 fade_range;   // opacity at strength 0 and 1
 
 out float across;
@@ -20,10 +21,11 @@ flat out float half_width;
 out vec4 shown;
 
 void main() {
-  half_width = 0.5 * max(mix(width_range.x, width_range.y, strength), metres / (cell_size * cells_per_pixel)) + casing;
+  float weight = pow(strength, emphasis);
+  half_width = 0.5 * max(mix(width_range.x, width_range.y, weight), metres / (cell_size * cells_per_pixel)) + casing;
   float reach = half_width + 1.0;
   vec2 pixel = (cell - centre) / cells_per_pixel + 0.5 * viewport + normal * reach;
   across = side * reach;
-  shown = vec4(tone.rgb, tone.a * mix(fade_range.x, fade_range.y, strength));
+  shown = vec4(tone.rgb, tone.a * mix(fade_range.x, fade_range.y, weight));
   gl_Position = vec4(pixel.x / viewport.x * 2.0 - 1.0, 1.0 - pixel.y / viewport.y * 2.0, 0.0, 1.0);
 }

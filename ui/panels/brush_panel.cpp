@@ -11,7 +11,9 @@ std::string target_title(const UiContext& ui) {
   if (target->kind == LayerKind::resource) return target->name;
   const FoodWeb* web = ui.state.web();
   const int species = web == nullptr ? -1 : web->find(target->name);
-  return species < 0 ? target->name : display_name(web->species[std::size_t(species)]);
+  const std::string name = species < 0 ? target->name : display_name(web->species[std::size_t(species)]);
+  const std::size_t others = ui.state.also_selected.size();
+  return others == 0 || target->kind == LayerKind::resource ? name : name + " and " + std::to_string(others) + " more";
 }
 
 const char* verb(Tool tool) {

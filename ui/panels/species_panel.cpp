@@ -55,6 +55,7 @@ std::string amount_text(const Species& species, const SpeciesFigures* figures) {
 
 void row_tooltip(const UiContext& ui, const Species& species, const SpeciesFigures* figures) {
   std::string text = display_name(species) + " (" + species.scientific_name + ")";
+  text += "\nCtrl+click: paint it together with the selected ones";
   if (figures != nullptr && std::isfinite(figures->amount)) {
     const bool plant = species.is_plant();
     const std::string unit = plant ? "kg/yr" : "animals/yr";
@@ -71,27 +72,56 @@ void row_tooltip(const UiContext& ui, const Species& species, const SpeciesFigur
   tooltip(ui.theme, text);
 }
 
+/// A lock under the eye: while it is closed no brush changes the species.
+void draw_lock(const UiContext& ui, const Species& species, ImVec2 at, bool is_locked) {
+  const Theme& theme = ui.theme;
+  ImGui::SetCursorScreenPos(at);
+  const char* icon = theme.has_icons ? (is_locked ? icons::lock : icons::unlock) : (is_locked ? "x" : ".");
+  const ImVec4 colour = is_locked ? theme.attention : with_alpha(theme.muted, 0.35F);
+  if (!icon_button(theme, "lock", icon, colour, is_locked ? "Locked: no brush changes it. Click to unlock" : "Lock against paint"))
+    return;
+  std::set<std::string>& locks = ui.state.locked_species;
+  if (locks.erase(species.name) == 0) locks.insert(species.name);
+}
+
+/// What stands under the name: numbers of an animal, the family of a plant.
+std::string second_line(const Species& species, const SpeciesFigures* figures) {
+  if (species.is_plant() || figures == nullptr || !std::isfinite(figures->amount)) return species.scientific_name;
+  std::string text = std::to_string(figures->herds) + (figures->herds == 1 ? " herd" : " herds");
+  if (!std::isfinite(figures->achieved)) return text;
+  text += "   " + format_percent(figures->achieved);
+  if (std::isfinite(figures->desired)) text += " of " + format_percent(figures->desired);
+  return text;
+}
+
 void draw_row(const UiContext& ui, const FoodWeb& web, int number, float most_share) {
   EditorState& state = ui.state;
   const Theme& theme = ui.theme;
   const Species& species = web.species[std::size_t(number)];
   const SpeciesFigures* figures = std::size_t(number) < state.figures.size() ? &state.figures[std::size_t(number)] : nullptr;
-  const bool selected = state.selected_species == number;
+  const bool selected = state.selected_species == number || state.also_selected.contains(number);
+  const bool is_locked = state.locked_species.contains(species.name);
   const bool shown = visible(state, number);
   const float height = theme.px(42);
   const float width = ImGui::GetContentRegionAvail().x;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushID(number);
-  if (ImGui::Selectable("##row", selected, ImGuiSelectableFlags_AllowItemOverlap, ImVec2(width, height)))
-    select_species(state, number);
+  if (ImGui::Selectable("##row", selected, ImGuiSelectableFlags_AllowItemOverlap, ImVec2(width, height))) {
+    if (ImGui::GetIO().KeyCtrl) {
+      toggle_species(state, number);
+    } else {
+      select_species(state, number);
+    }
+  }
   row_tooltip(ui, species, figures);
   ImGui::SetItemAllowOverlap();
-  ImGui::SetCursorScreenPos(ImVec2(at.x + theme.px(2), at.y + theme.px(10)));
+  ImGui::SetCursorScreenPos(ImVec2(at.x + theme.px(2), at.y + theme.px(3)));
   const char* eye = theme.has_icons ? (shown ? icons::eye : icons::eye_closed) : (shown ? "o" : "-");
   if (icon_button(theme, "eye", eye, shown ? theme.muted : with_alpha(theme.muted, 0.5F),
                   shown ? "Hide on the map and in 3D" : "Show again")) {
     set_visible(state, web, number, !shown);
   }
+  draw_lock(ui, species, ImVec2(at.x + theme.px(3), at.y + theme.px(23)), is_locked);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float chip = theme.px(28);
   list.AddRectFilled(ImVec2(at.x + chip, at.y + theme.px(6)), ImVec2(at.x + chip + theme.px(6), at.y + height - theme.px(6)),
@@ -110,7 +140,7 @@ void draw_row(const UiContext& ui, const FoodWeb& web, int number, float most_sh
   list.AddText(ImVec2(right - amount_width, at.y + theme.px(3)), colour_u32(theme.text), amount.c_str());
   const float bar = std::min(theme.px(84), (right - left) * 0.4F);
   ImGui::PushFont(theme.small);
-  const std::string latin = fitted_text(species.scientific_name, right - bar - theme.px(8) - left);
+  const std::string latin = fitted_text(second_line(species, figures), right - bar - theme.px(8) - left);
   list.AddText(ImVec2(left, at.y + theme.px(22)), colour_u32(theme.muted), latin.c_str());
   ImGui::PopFont();
   if (figures != nullptr)
@@ -129,6 +159,20 @@ float greatest_share(const EditorState& state, const std::vector<int>& species) 
     if (std::isfinite(figures.desired)) most = std::max(most, figures.desired);
   }
   return float(most);
+}
+
+/// Animals and herds of all species of a level.
+void draw_totals(const UiContext& ui, const std::vector<int>& species) {
+  double animals = 0;
+  int herds = 0;
+  for (const int number : species) {
+    if (std::size_t(number) >= ui.state.figures.size()) continue;
+    const SpeciesFigures& figures = ui.state.figures[std::size_t(number)];
+    if (!std::isfinite(figures.amount)) return;
+    animals += figures.amount;
+    herds += figures.herds;
+  }
+  readout(ui.theme, "All together", format_count(std::round(animals)) + " animals in " + format_count(herds) + " herds");
 }
 
 /// Sum of what a level's species ask for, as weights.
@@ -217,6 +261,7 @@ void draw_animals_panel(const UiContext& ui) {
   }
   for (int level = 1; level < web->level_count(); ++level) {
     heading(ui.theme, level == 1 ? "Level 1: plant eaters" : "Level " + std::to_string(level));
+    draw_totals(ui, web->levels[std::size_t(level)]);
     draw_proportions(ui, *web, level);
     draw_species_list(ui, level);
   }
