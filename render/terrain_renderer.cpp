@@ -12,6 +12,8 @@ namespace biotope {
 namespace {
 
 constexpr int patch_cells = 16;
+/// Side of the finest quads on coarse grids, m.
+constexpr double coarsest_quad = 10;
 /// Longest side of a ground texture, texels.
 constexpr int longest_texture = 4096;
 /// Longest side of the grid on which shadows are swept, cells.
@@ -217,7 +219,8 @@ DrawCount TerrainRenderer::draw(const TerrainLook& look, const glm::dvec3& eye, 
   settings.range_factor = std::clamp(4.2F * look.quality, 3.0F, 9.0F);
   settings.width = terrain.width_metres();
   settings.height = terrain.height_metres();
-  settings.finest_side = patch_cells * terrain.cell_size;
+  // Coarse grids are drawn with finer quads than their cells, so that the ground is where ground_height says it is.
+  settings.finest_side = patch_cells * std::min(terrain.cell_size, coarsest_quad);
   std::array<std::vector<GroundPatch>, 4> by_variant;
   for (const GroundPatch& patch : select_patches(settings, bounds_, eye, frustum)) {
     by_variant[std::size_t(variant(patch, look, eye))].push_back(patch);
