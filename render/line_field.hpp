@@ -28,6 +28,12 @@ inline constexpr float shore_reach = 8;
 /// Fine cells per terrain cell so that no side is longer than `longest` cells.
 [[nodiscard]] int line_field_scale(int width, int height, int longest = 4096);
 
+/// Where water is drawn: the codes of a LineField's shore on a grid `scale` times as fine as the terrain.
+struct ShoreMap {
+  int scale = 1;
+  Grid<std::uint8_t> codes;
+};
+
 /// Distance to the shore of lakes and sea (from their cells) and of rivers (from their reaches, smoothed, with the width of their discharge).
 [[nodiscard]] Grid<std::uint8_t> shore_field(const Terrain& terrain, const Hydrology& hydrology, int scale);
 /// Worn earth along the routes of a network: 0.5 m wide where little used, up to 2 m.

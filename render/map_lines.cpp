@@ -127,10 +127,35 @@ RibbonMesh river_ribbons(const Hydrology& hydrology, int columns) {
   return mesh;
 }
 
-HerdPicture herds_at(const MapsSnapshot& snapshot, double hour, const std::vector<bool>& visible, float mark_scale) {
+std::vector<HerdMarker> merged_marks(std::vector<HerdMarker> marks, double pixels_per_cell,
+                                     const std::function<float(int species, int animals)>& pixels_of) {
+  std::stable_sort(marks.begin(), marks.end(), [](const HerdMarker& a, const HerdMarker& b) { return a.animals > b.animals; });
+  std::vector<HerdMarker> merged;
+  for (const HerdMarker& mark : marks) {
+    const auto under = std::find_if(merged.begin(), merged.end(), [&](const HerdMarker& each) {
+      const double away = std::hypot(double(each.x - mark.x), double(each.y - mark.y)) * pixels_per_cell;
+      return each.species == mark.species && away < 0.4 * double(std::max(each.pixels, mark.pixels));
+    });
+    if (under == merged.end()) {
+      merged.push_back(mark);
+    } else {
+      under->animals += mark.animals;
+      under->pixels = pixels_of(under->species, under->animals);
+    }
+  }
+  return merged;
+}
+
+HerdPicture herds_at(const MapsSnapshot& snapshot, double hour, const std::vector<bool>& visible, float mark_scale,
+                     double pixels_per_cell) {
   HerdPicture picture;
   if (!snapshot.plans || !snapshot.graph || !snapshot.web) return picture;
   const double cell_size = snapshot.terrain().cell_size;
+  const auto pixels_of = [&](int species, int animals) {
+    const Species& who = snapshot.web->species[std::size_t(species)];
+    const float body = who.is_plant() ? 1 : std::clamp(who.animal().shape.body_length, 0.6F, 4.0F);
+    return (6.5F + 3.0F * std::sqrt(body) + 2.0F * std::log2(float(std::max(animals, 1)))) * mark_scale;
+  };
   for (const DailyPlan& plan : *snapshot.plans) {
     const auto species = std::size_t(plan.species);
     if (species < visible.size() && !visible[species]) continue;
@@ -140,10 +165,9 @@ HerdPicture herds_at(const MapsSnapshot& snapshot, double hour, const std::vecto
     const auto tone = marker_tone(who.colour);
     add_tail(picture, plan, graph, hour, cell_size, tone);
     const HerdState state = herd_state(plan, graph, hour, cell_size);
-    const float body = who.is_plant() ? 1 : std::clamp(who.animal().shape.body_length, 0.6F, 4.0F);
-    const float pixels = (6.5F + 3.0F * std::sqrt(body) + 2.0F * std::log2(float(std::max(plan.size, 1)))) * mark_scale;
-    picture.markers.push_back({state.at.x, state.at.y, state.heading, pixels, tone});
+    picture.markers.push_back({state.at.x, state.at.y, state.heading, pixels_of(plan.species, plan.size), tone, plan.species, plan.size});
   }
+  picture.markers = merged_marks(std::move(picture.markers), pixels_per_cell, pixels_of);
   return picture;
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -50,7 +51,14 @@ struct HerdMarker {
   float heading = 0;  ///< radians clockwise from north
   float pixels = 0;   ///< nose to tail
   std::array<std::uint8_t, 4> tone{};
+  int species = 0;
+  int animals = 0;
 };
+
+/// Marks of one species that would lie over each other become one, as large as all its animals ask for and turned like the largest
+/// herd. `pixels_of` gives the length of a mark for a species and a number of animals.
+[[nodiscard]] std::vector<HerdMarker> merged_marks(std::vector<HerdMarker> marks, double pixels_per_cell,
+                                                   const std::function<float(int species, int animals)>& pixels_of);
 
 /// The herds at an hour and the way each went in the last hour. `visible` by species number; empty shows all; `mark_scale`
 /// multiplies the size of marks.
@@ -58,6 +66,7 @@ struct HerdPicture {
   std::vector<HerdMarker> markers;
   RibbonMesh tails;
 };
-[[nodiscard]] HerdPicture herds_at(const MapsSnapshot& snapshot, double hour, const std::vector<bool>& visible, float mark_scale);
+[[nodiscard]] HerdPicture herds_at(const MapsSnapshot& snapshot, double hour, const std::vector<bool>& visible, float mark_scale,
+                                   double pixels_per_cell);
 
 }  // namespace biotope

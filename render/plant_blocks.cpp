@@ -17,12 +17,23 @@ bool same_plants(const MapsSnapshot& a, const MapsSnapshot& b) {
                      [&](int i) { return a.web->species[std::size_t(i)].traits == b.web->species[std::size_t(i)].traits; });
 }
 
+/// Longest side of the grid on which plants ask for water, cells.
+constexpr int longest_shore = 2048;
+
+std::shared_ptr<const ShoreMap> drawn_shore(const Terrain& terrain, const Hydrology& hydrology) {
+  const int scale = line_field_scale(terrain.height.width(), terrain.height.height(), longest_shore);
+  return std::make_shared<const ShoreMap>(ShoreMap{scale, shore_field(terrain, hydrology, scale)});
+}
+
 }  // namespace
 
 void PlantBlocks::set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot) {
   const std::shared_ptr<const MapsSnapshot> before = std::move(snapshot_);
   snapshot_ = std::move(snapshot);
-  placement_ = PlantPlacement(snapshot_);
+  if (!before || before->hydrology != snapshot_->hydrology || before->document.terrain != snapshot_->document.terrain) {
+    shore_ = snapshot_->hydrology ? drawn_shore(snapshot_->terrain(), *snapshot_->hydrology) : nullptr;
+  }
+  placement_ = PlantPlacement(snapshot_, shore_);
   const bool kept = before && before->document.terrain == snapshot_->document.terrain &&
                     before->document.seed == snapshot_->document.seed && same_plants(*before, *snapshot_) &&
                     before->cover.size() == snapshot_->cover.size();

@@ -46,6 +46,7 @@ class PlantBlocks {
 
   PlantPlacement placement_;
   std::shared_ptr<const MapsSnapshot> snapshot_;
+  std::shared_ptr<const ShoreMap> shore_;
   std::array<Map, strata> blocks_;
 };
 

@@ -22,6 +22,8 @@ constexpr float largest = 1.2015F;
 constexpr float most_crowded = 1.45F;
 constexpr float worn = 0.3F;
 constexpr float wet = 0.05F;
+/// Nothing stands nearer to drawn water than this, m.
+constexpr float bank = 0.3F;
 constexpr float tuft_spacing = 0.4F;
 
 float cell_width(int level) { return root_side / float(1 << ((level + 1) / 2)); }
@@ -35,7 +37,8 @@ int level_of(float crown_area) {
 
 }  // namespace
 
-PlantPlacement::PlantPlacement(std::shared_ptr<const MapsSnapshot> snapshot) : snapshot_(std::move(snapshot)) {
+PlantPlacement::PlantPlacement(std::shared_ptr<const MapsSnapshot> snapshot, std::shared_ptr<const ShoreMap> shore)
+    : snapshot_(std::move(snapshot)), shore_(std::move(shore)) {
   if (!snapshot_ || !snapshot_->web || snapshot_->web->levels.empty()) return;
   const auto& plants = snapshot_->web->levels[0];
   for (std::size_t i = 0; i < plants.size() && i < snapshot_->cover.size(); ++i) {
@@ -54,10 +57,17 @@ PlantPlacement::PlantPlacement(std::shared_ptr<const MapsSnapshot> snapshot) : s
   }
 }
 
-bool PlantPlacement::grows_at(int x, int y) const {
+bool PlantPlacement::grows_at(int map_x, int map_y, float x, float y) const {
   const MapsSnapshot& maps = *snapshot_;
-  if (maps.hydrology && (maps.hydrology->water_depth(x, y) > wet || maps.hydrology->water(x, y) != WaterKind::dry)) return false;
-  return !maps.trails || maps.trails->wear.empty() || maps.trails->wear(x, y) <= worn;
+  if (maps.hydrology && (maps.hydrology->water_depth(map_x, map_y) > wet || maps.hydrology->water(map_x, map_y) != WaterKind::dry)) {
+    return false;
+  }
+  if (shore_) {
+    const double fine = maps.terrain().cell_size / shore_->scale;
+    const std::uint8_t code = shore_->codes.clamped(int(double(x) / fine), shore_->codes.height() - 1 - int(double(y) / fine));
+    if (shore_distance(code) > -bank) return false;
+  }
+  return !maps.trails || maps.trails->wear.empty() || maps.trails->wear(map_x, map_y) <= worn;
 }
 
 PlantInstance PlantPlacement::stand(const Kind& kind, float x, float y) const {
@@ -106,7 +116,7 @@ std::vector<PlantPlacement::Candidate> PlantPlacement::candidates(Stratum stratu
     const float y = (float(cell.row) + 0.5F) * height + jitter.y * std::max(0.0F, 0.5F * height - inset);
     const int map_x = int(std::floor(x / cell_size));
     const int map_y = rows - 1 - int(std::floor(y / cell_size));
-    if (!kind.cover->rect().contains(map_x, map_y) || (*kind.cover)(map_x, map_y) == 0 || !grows_at(map_x, map_y)) continue;
+    if (!kind.cover->rect().contains(map_x, map_y) || (*kind.cover)(map_x, map_y) == 0 || !grows_at(map_x, map_y, x, y)) continue;
     const float crowding = std::clamp(cells_wanted(stratum, map_x, map_y), 1.0F, most_crowded);
     const float share = cover_fraction((*kind.cover)(map_x, map_y)) * width * height / (kind.crown_area * crowding);
     out.push_back({&kind, x, y, share, crowding});
@@ -162,7 +172,7 @@ std::vector<PlantInstance> PlantPlacement::herbs(int column, int row) const {
       const float y = (float(lattice_y) + random(2)) * tuft_spacing;
       const int map_x = int(std::floor(x / float(terrain.cell_size)));
       const int map_y = terrain.height.height() - 1 - int(std::floor(y / float(terrain.cell_size)));
-      if (!terrain.height.contains(map_x, map_y) || !grows_at(map_x, map_y)) continue;
+      if (!terrain.height.contains(map_x, map_y) || !grows_at(map_x, map_y, x, y)) continue;
       float chance = random(3);
       for (const Kind& kind : kinds_[std::size_t(Stratum::herb)]) {
         const float cover = cover_fraction((*kind.cover)(map_x, map_y));

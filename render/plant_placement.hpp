@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/pipeline/maps_snapshot.hpp"
+#include "render/line_field.hpp"
 
 namespace biotope {
 
@@ -36,7 +37,8 @@ struct PlantInstance {
 class PlantPlacement {
  public:
   PlantPlacement() = default;
-  explicit PlantPlacement(std::shared_ptr<const MapsSnapshot> snapshot);
+  /// `shore` is where water is drawn (null: nowhere but in the cells of water).
+  explicit PlantPlacement(std::shared_ptr<const MapsSnapshot> snapshot, std::shared_ptr<const ShoreMap> shore = nullptr);
 
   /// Plants of a stratum in block (column, row) counted from the south-west corner, ordered by species.
   [[nodiscard]] std::vector<PlantInstance> block(Stratum stratum, int column, int row) const;
@@ -71,10 +73,12 @@ class PlantPlacement {
   [[nodiscard]] std::vector<PlantInstance> herbs(int column, int row) const;
   /// Share of the ground that the cells of all plants of a stratum would take: above 1, crowns must grow into each other's room.
   [[nodiscard]] float cells_wanted(Stratum stratum, int x, int y) const;
-  [[nodiscard]] bool grows_at(int x, int y) const;
+  /// Whether a plant may stand at (x, y) metres, in the cell (map_x, map_y).
+  [[nodiscard]] bool grows_at(int map_x, int map_y, float x, float y) const;
   [[nodiscard]] PlantInstance stand(const Kind& kind, float x, float y) const;
 
   std::shared_ptr<const MapsSnapshot> snapshot_;
+  std::shared_ptr<const ShoreMap> shore_;
   std::array<std::vector<Kind>, strata> kinds_;
   std::array<int, strata> deepest_{};
 };

@@ -1,5 +1,6 @@
 #include "core/climate/environment.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -47,12 +48,22 @@ MonthlyMap temperature_map(const Terrain& terrain, const Climate& climate) {
   return map;
 }
 
-MonthlyMap moisture_map(Grid<float> layer, const Climate& climate) {
+/// One layer that months shift. Soil holds no more than soil can: even in the wettest month a bank is as wet as the wettest soil of the
+/// species tables, and only open water is wetter. Without this a broad strip along every river would drown what grows there.
+MonthlyMap moisture_map(Grid<float> layer, const Grid<Geology>& geology, const Climate& climate) {
   MonthlyMap map;
-  map.layers.push_back(std::make_shared<const Grid<float>>(std::move(layer)));
   for (std::size_t month = 0; month < map.offset.size(); ++month) {
     map.offset[month] = float(moisture_offset(climate.precipitation[month]));
   }
+  const float most = wettest_soil - *std::max_element(map.offset.begin(), map.offset.end());
+  parallel_rows(0, layer.height(), [&](int y) {
+    const auto rocks = geology.row(y);
+    const auto row = layer.row(y);
+    for (std::size_t x = 0; x < row.size(); ++x) {
+      if (rocks[x] != Geology::water) row[x] = std::min(row[x], most);
+    }
+  });
+  map.layers.push_back(std::make_shared<const Grid<float>>(std::move(layer)));
   return map;
 }
 
@@ -74,7 +85,7 @@ Result<EnvironmentMaps> compute_environment(const Terrain& terrain, const Deriva
   SoilMaps soil = estimate_soil(terrain, derivatives, hydrology, *moisture);
   maps.texture = std::make_shared<const Grid<float>>(std::move(soil.texture));
   maps.geology = std::make_shared<const Grid<Geology>>(std::move(soil.geology));
-  maps.monthly[std::size_t(Resource::moisture)] = moisture_map(std::move(*moisture), climate);
+  maps.monthly[std::size_t(Resource::moisture)] = moisture_map(std::move(*moisture), *maps.geology, climate);
   return maps;
 }
 

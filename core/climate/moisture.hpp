@@ -13,6 +13,9 @@ namespace biotope {
 /// Moisture index of open water before the month's rain is added: 9 in any month.
 inline constexpr float open_water_index = 20;
 
+/// Index of soil that can take up no more: the wettest that any plant of the thesis's table A.1 lives in (Alnus, Poaceae, Artemisia).
+inline constexpr float wettest_soil = 8;
+
 /// How far water spreads from a wet place on flat ground, standard deviation in metres. Our choice: at a river's bank the index falls
 /// from that of the river to that of the slope within two to three of these.
 inline constexpr double moisture_spread = 30;

@@ -47,6 +47,20 @@ TEST_CASE("points that coincide do not make holes, and a single point makes noth
   }
 }
 
+TEST_CASE("herds of one species on one spot are one larger mark; others keep their own") {
+  const auto length = [](int, int animals) { return float(10 + animals); };
+  const auto mark = [&](float x, int species, int animals) {
+    return HerdMarker{x, 0, 0, length(species, animals), tone, species, animals};
+  };
+  const auto merged = merged_marks({mark(0, 1, 5), mark(0.5F, 1, 8), mark(0.5F, 2, 3), mark(40, 1, 2)}, 1, length);
+  REQUIRE(merged.size() == 3);
+  CHECK(merged[0].animals == 13);
+  CHECK(merged[0].pixels == 23);
+  CHECK(merged[0].x == 0.5F);
+  // From close by they are two places.
+  CHECK(merged_marks({mark(0, 1, 5), mark(0.5F, 1, 8)}, 64, length).size() == 2);
+}
+
 TEST_CASE("the busiest trail is the strongest, and a thousandth of it is the faintest") {
   TrailNetwork trails;
   TrailRoute route;
