@@ -24,6 +24,8 @@ endif()
 # multiply-add that one processor has and another has not.
 add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror
                     -ffp-contract=off)
+# Nobody reads floating-point exceptions or errno here; without these promises loops with comparisons and roots stay scalar.
+add_compile_options(-fno-trapping-math -fno-math-errno)
 # GCC 12 reports false positives of these from inside the standard library at -O2 and above.
 add_compile_options(-Wno-error=maybe-uninitialized -Wno-error=array-bounds
                     -Wno-error=stringop-overflow -Wno-error=stringop-overread -Wno-error=restrict)

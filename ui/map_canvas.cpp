@@ -181,8 +181,12 @@ void MapCanvas::draw_pulse(const UiContext& ui, ImVec2 origin, PixelPoint canvas
   const PixelPoint low = pixel_of(state.view.map, canvas, area.x0 - 0.5, area.y0 - 0.5);
   const PixelPoint high = pixel_of(state.view.map, canvas, area.x1 - 0.5, area.y1 - 0.5);
   const auto wave = float(0.5 + 0.5 * std::sin(ImGui::GetTime() * 5));
-  const ImVec2 from(origin.x + float(low.x), origin.y + float(low.y));
-  const ImVec2 to(origin.x + float(high.x), origin.y + float(high.y));
+  // An edge outside the view is drawn along the view's own.
+  const double inset = ui.theme.px(2);
+  const auto across = [&](double x) { return origin.x + float(std::clamp(x, inset, canvas.x - inset)); };
+  const auto down = [&](double y) { return origin.y + float(std::clamp(y, inset, canvas.y - inset)); };
+  const ImVec2 from(across(low.x), down(low.y));
+  const ImVec2 to(across(high.x), down(high.y));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float round = ui.theme.px(4);
   list.AddRect(from, to, colour_u32(with_alpha(ui.theme.accent, 0.10F + 0.20F * wave)), round, 0, ui.theme.px(5));

@@ -62,8 +62,13 @@ void scan_sector(const Grid<float>& height, double azimuth, float cell, Grid<flo
   const LineFamily family = line_family(azimuth);
   const int major = family.along_x ? height.width() : height.height();
   const int minor = family.along_x ? height.height() : height.width();
+  // A line passes beside the cells' centres: its height there is between those of two cells, or a step aside would pass for a slope.
   std::vector<int> shift(std::size_t(major), 0);
-  for (int m = 0; m < major; ++m) shift[std::size_t(m)] = int(std::floor(m * family.drift + 0.5));
+  std::vector<float> aside(std::size_t(major), 0);
+  for (int m = 0; m < major; ++m) {
+    shift[std::size_t(m)] = int(std::floor(m * family.drift + 0.5));
+    aside[std::size_t(m)] = float(m * family.drift - shift[std::size_t(m)]);
+  }
   const int least = std::min(0, shift.back());
   const int most = std::max(0, shift.back());
   const float step = cell * float(std::sqrt(1 + family.drift * family.drift));
@@ -75,7 +80,10 @@ void scan_sector(const Grid<float>& height, double azimuth, float cell, Grid<flo
       const int n = line + shift[std::size_t(m)];
       if (n < 0 || n >= minor) continue;
       const std::size_t cell_index = family.along_x ? height.index(m, n) : height.index(n, m);
-      const HullPoint here{float(k) * step, height[cell_index]};
+      const float beyond = aside[std::size_t(m)];
+      const int beside = std::clamp(n + (beyond < 0 ? -1 : 1), 0, minor - 1);
+      const float other = family.along_x ? height(m, beside) : height(beside, m);
+      const HullPoint here{float(k) * step, height[cell_index] + std::abs(beyond) * (other - height[cell_index])};
       float tangent = 0;
       if (top > 0) {
         tangent = (hull[top - 1].height - here.height) / (here.distance - hull[top - 1].distance);

@@ -50,14 +50,17 @@ TEST_CASE("horizons in between are close to those of marching along the true dir
   for (std::size_t s = 1; s < 16; s += 2) {
     const double azimuth = double(s) * std::numbers::pi / 8;
     double error = 0;
+    double sum = 0;
     for (int y = 0; y < 50; ++y) {
       for (int x = 0; x < 60; ++x) {
         const double expected = marched(hills, x, y, 0.5 * std::sin(azimuth), -0.5 * std::cos(azimuth));
         const double difference = std::abs(double(horizons.sectors[s](x, y)) - expected);
         error += difference;
+        sum += expected;
       }
     }
-    CHECK(error / (60 * 50) < 0.03);
+    // Lines run from cell to cell, so that a horizon is up to half a cell beside the true direction.
+    CHECK(error < 0.12 * sum);
   }
 }
 
