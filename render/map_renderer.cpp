@@ -255,7 +255,7 @@ void MapRenderer::State::draw_herds(const MapOptions& options, glm::vec2 viewpor
   ribbon_program.set("cell_size", float(relief.terrain()->cell_size));
   // Marks shrink as the whole landscape comes into view, so that many herds do not hide it: full size at 2 m a pixel.
   const double metres_per_pixel = relief.terrain()->cell_size / options.view.pixels_per_cell * double(scale);
-  const float mark = float(std::clamp(std::pow(2 / metres_per_pixel, 0.35), 0.6, 1.4));
+  const float mark = float(std::clamp(std::pow(2 / metres_per_pixel, 0.35), 0.45, 1.4));
   const HerdPicture herds = herds_at(*snapshot, options.hour, options.visible_species, scale * mark, options.view.pixels_per_cell);
   tails.upload(herds.tails);
   draw_ribbon(tails, {glm::vec2(0.3F, 2.2F) * scale * mark, glm::vec2(0.0F, 0.45F), 0.6F * scale, 1,

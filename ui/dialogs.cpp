@@ -218,6 +218,8 @@ void draw_dialogs(const UiContext& ui) {
   draw_about(ui);
   draw_recovery(ui);
   draw_unsaved(ui);
+  // A question closed without an answer: what waited for it must not run after some later save.
+  if (!ui.state.dialogs.unsaved && !ui.state.dialogs.save_file) ui.state.after_unsaved = {};
 }
 
 }  // namespace biotope

@@ -65,7 +65,10 @@ void LandscapeCanvas::place_camera(EditorState& state) const {
 
 void LandscapeCanvas::draw_picture(const UiContext& ui, int width, int height) {
   EditorState& state = ui.state;
-  Picture wanted{state.view.camera, {}, state.shown, width, height};
+  // A new ground is shown at once and what lives on it when all of it is known: every snapshot costs the renderer a look at each
+  // cell, and those in between would hold the window up.
+  const bool takes = state.shown->complete || !drawn_.snapshot || drawn_.snapshot->document.terrain != state.shown->document.terrain;
+  Picture wanted{state.view.camera, {}, takes ? state.shown : drawn_.snapshot, width, height};
   wanted.options.hour = state.clock.hour;
   wanted.options.month = state.clock.month;
   wanted.options.plants = state.view.plants;

@@ -176,8 +176,9 @@ void MapCanvas::handle_mouse(const UiContext& ui, PixelPoint canvas, PixelPoint 
 void MapCanvas::draw_pulse(const UiContext& ui, ImVec2 origin, PixelPoint canvas) const {
   const EditorState& state = ui.state;
   if (!state.worker || !state.worker->progress().busy || !state.shown || !state.document.terrain) return;
-  const Rect area = outdated_area(state.document, *state.shown);
-  if (area.empty()) return;
+  Rect area = outdated_area(state.document, *state.shown);
+  // Computed again without a change: all of it.
+  if (area.empty()) area = state.document.terrain->height.rect();
   const PixelPoint low = pixel_of(state.view.map, canvas, area.x0 - 0.5, area.y0 - 0.5);
   const PixelPoint high = pixel_of(state.view.map, canvas, area.x1 - 0.5, area.y1 - 0.5);
   const auto wave = float(0.5 + 0.5 * std::sin(ImGui::GetTime() * 5));
@@ -189,8 +190,8 @@ void MapCanvas::draw_pulse(const UiContext& ui, ImVec2 origin, PixelPoint canvas
   const ImVec2 to(across(high.x), down(high.y));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float round = ui.theme.px(4);
-  list.AddRect(from, to, colour_u32(with_alpha(ui.theme.accent, 0.10F + 0.20F * wave)), round, 0, ui.theme.px(5));
-  list.AddRect(from, to, colour_u32(with_alpha(ui.theme.accent, 0.35F + 0.50F * wave)), round, 0, ui.theme.px(1.5F));
+  list.AddRect(from, to, IM_COL32(0, 0, 0, 90), round, 0, ui.theme.px(4));
+  list.AddRect(from, to, IM_COL32(255, 255, 255, int(90 + 160 * wave)), round, 0, ui.theme.px(1.5F));
 }
 
 void MapCanvas::draw_cursor(const UiContext& ui, ImVec2 origin, PixelPoint canvas, PixelPoint pixel, bool hovered) const {
@@ -264,8 +265,13 @@ void MapCanvas::draw(const UiContext& ui, ImVec2 size) {
   const int width = std::max(int(size.x), 16);
   const int height = std::max(int(size.y), 16);
   const PixelPoint canvas{double(width), double(height)};
-  if (!state.view.framed && state.document.terrain) {
-    state.view.map = fitted(state.document.terrain->height.rect(), canvas, ui.theme.px(20));
+  // A view nobody has moved stays fitted when the window changes its size.
+  const MapView& view = state.view.map;
+  const bool untouched = view.centre_x == fitted_.centre_x && view.centre_y == fitted_.centre_y &&
+                         view.pixels_per_cell == fitted_.pixels_per_cell;
+  if (state.document.terrain && (!state.view.framed || untouched)) {
+    fitted_ = fitted(state.document.terrain->height.rect(), canvas, ui.theme.px(20));
+    state.view.map = fitted_;
     state.view.framed = true;
   }
   draw_picture(ui, width, height);

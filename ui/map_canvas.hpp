@@ -44,6 +44,7 @@ class MapCanvas {
   bool has_picture_ = false;
   MapValues values_;  ///< of the map shown
   bool values_current_ = false;
+  MapView fitted_;       ///< the view that showed the whole map last
   PathPoint asked_;      ///< cell of the context menu
   ImVec2 origin_;        ///< upper left corner on the screen
   bool paints_ = false;  ///< the stroke in progress began here

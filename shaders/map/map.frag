@@ -61,7 +61,7 @@ float iso_line(vec2 cell) {
   float level = sum / 16.0 / line_step;
   float spread = max(fwidth(level), 1e-6);
   float away = abs(fract(level - 0.5) - 0.5) / spread;
-  return (1.0 - smoothstep(0.4, 1.3, away / pixel_scale)) * (1.0 - smoothstep(0.25, 0.7, spread)) * step(0.5, level);
+  return (1.0 - smoothstep(0.4, 1.3, away / pixel_scale)) * (1.0 - smoothstep(0.15, 0.40, spread)) * step(0.5, level);
 }
 
 void main() {
