@@ -109,7 +109,7 @@ void LandscapeRenderer::draw(const Camera& camera, const LandscapeOptions& optio
     look.brush = glm::vec3((options.brush->x + 0.5F) * cell, (float(ground.height.height()) - 0.5F - options.brush->y) * cell,
                            options.brush->z * cell);
   }
-  state.terrain->prepare(look, light.light_direction);
+  state.complete = state.terrain->prepare(look, light.light_direction);
   FrameUniforms frame = state.frame(camera, options, light, width, height);
   const Frustum frustum(frame.view_projection);
   const auto count = [&](const DrawCount& drawn) {
@@ -117,9 +117,8 @@ void LandscapeRenderer::draw(const Camera& camera, const LandscapeOptions& optio
     state.statistics.triangles += drawn.triangles;
   };
 
-  state.complete = true;
   if (options.plants) {
-    state.complete = state.plants->prepare(plant_look(options), camera.position, frame, frustum, plant_milliseconds);
+    state.complete = state.plants->prepare(plant_look(options), camera.position, frame, frustum, plant_milliseconds) && state.complete;
     frame.shade_area = PlantRenderer::shade_area(camera.position, camera.position.z - ground_height(ground, camera.position.x, camera.position.y));
     look.canopy_from = state.plants->canopy_range().x;
     look.canopy_whole = state.plants->canopy_range().y;
@@ -142,7 +141,9 @@ void LandscapeRenderer::draw(const Camera& camera, const LandscapeOptions& optio
 }
 
 void LandscapeRenderer::finish_loading(const Camera& camera, const LandscapeOptions& options) {
-  if (state_->snapshot && options.plants) state_->plants->finish_loading(plant_look(options), camera.position);
+  if (!state_->snapshot) return;
+  state_->terrain->prepare_whole();
+  if (options.plants) state_->plants->finish_loading(plant_look(options), camera.position);
 }
 
 bool LandscapeRenderer::complete() const { return state_->complete; }

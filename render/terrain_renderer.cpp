@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "render/detail_noise.hpp"
 #include "render/line_field.hpp"
@@ -16,6 +17,8 @@ constexpr int patch_cells = 16;
 constexpr double coarsest_quad = 10;
 /// Longest side of a ground texture, texels.
 constexpr int longest_texture = 4096;
+/// Longest side of the texture of shores and trails where it is finer than the terrain: finer costs a software renderer too long.
+constexpr int longest_lines = 2048;
 /// Longest side of the grid on which shadows are swept, cells.
 constexpr int longest_shadow = 1024;
 
@@ -78,6 +81,7 @@ void TerrainRenderer::set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot)
   const bool ground = first || before->document.terrain != snapshot->document.terrain;
   const bool water = first || before->hydrology != snapshot->hydrology;
   const bool trails = first || before->trails != snapshot->trails;
+  whole_ = whole_ || ground;
   surface_stale_ = surface_stale_ || ground || water || trails;
   lines_stale_ = lines_stale_ || ground || water || trails;
   colours_stale_ = colours_stale_ || ground || water || before->environment != snapshot->environment ||
@@ -86,12 +90,20 @@ void TerrainRenderer::set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot)
   snapshot_ = std::move(snapshot);
 }
 
-void TerrainRenderer::prepare(const TerrainLook& look, const glm::vec3& light_direction) {
-  const bool new_surface = surface_stale_;
-  if (surface_stale_) make_surface();
-  if (lines_stale_) make_lines();
+bool TerrainRenderer::prepare(const TerrainLook& look, const glm::vec3& light_direction) {
+  const bool whole = std::exchange(whole_, false);
+  if (surface_stale_) {
+    make_surface();
+    shade_stale_ = true;
+    if (!whole) return false;
+  }
+  if (lines_stale_) {
+    make_lines();
+    if (!whole) return false;
+  }
   colour(look);
-  if (new_surface || glm::dot(shaded_light_, light_direction) < 0.99998F) shade(light_direction);
+  if (shade_stale_ || glm::dot(shaded_light_, light_direction) < 0.99998F) shade(light_direction);
+  return true;
 }
 
 void TerrainRenderer::make_surface() {
@@ -111,14 +123,23 @@ void TerrainRenderer::make_surface() {
   thin_surface_ = shadow_stride > 1 ? thinned(surface_, shadow_stride) : surface_;
 }
 
+void TerrainRenderer::make_shore() {
+  const Terrain& terrain = snapshot_->terrain();
+  shore_of_ = snapshot_->hydrology;
+  shore_.scale = line_field_scale(terrain.height.width(), terrain.height.height(), longest_lines);
+  shore_.codes = shore_of_ ? shore_field(terrain, *shore_of_, shore_.scale)
+                           : Grid<std::uint8_t>(terrain.height.width() * shore_.scale, terrain.height.height() * shore_.scale, 0);
+}
+
 void TerrainRenderer::make_lines() {
   lines_stale_ = false;
   const Terrain& terrain = snapshot_->terrain();
-  const int scale = line_field_scale(terrain.height.width(), terrain.height.height(), longest_texture);
-  const int width = terrain.height.width() * scale;
-  const int height = terrain.height.height() * scale;
-  const Grid<std::uint8_t> shore =
-      snapshot_->hydrology ? shore_field(terrain, *snapshot_->hydrology, scale) : Grid<std::uint8_t>(width, height, 0);
+  const bool fits = shore_.codes.width() == terrain.height.width() * shore_.scale && shore_.codes.height() == terrain.height.height() * shore_.scale;
+  if (!fits || shore_.codes.empty() || shore_of_ != snapshot_->hydrology) make_shore();
+  const int scale = shore_.scale;
+  const Grid<std::uint8_t>& shore = shore_.codes;
+  const int width = shore.width();
+  const int height = shore.height();
   const Grid<std::uint8_t> wear =
       snapshot_->trails ? wear_field(terrain, *snapshot_->trails, scale) : Grid<std::uint8_t>(width, height, 0);
   near_water_ = Grid<std::uint8_t>((terrain.height.width() + patch_cells - 1) / patch_cells,
@@ -198,6 +219,7 @@ void TerrainRenderer::upload_colours(const Rect& texels) {
 }
 
 void TerrainRenderer::shade(const glm::vec3& light_direction) {
+  shade_stale_ = false;
   shaded_light_ = light_direction;
   const double cell = snapshot_->terrain().width_metres() / thin_surface_.width();
   const Grid<std::uint8_t> lit = sweep_shadows(thin_surface_, cell, light_direction, 1.0F + 0.35F * float(cell));

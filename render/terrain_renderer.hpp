@@ -7,6 +7,7 @@
 #include "render/frame.hpp"
 #include "render/gl_objects.hpp"
 #include "render/ground_maps.hpp"
+#include "render/line_field.hpp"
 #include "render/shader_program.hpp"
 #include "render/terrain_mesh.hpp"
 
@@ -38,8 +39,11 @@ class TerrainRenderer {
   [[nodiscard]] static Result<std::unique_ptr<TerrainRenderer>> create();
 
   void set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot);
-  /// Brings the textures up to date with snapshot, season and light. Call before draw, with a snapshot set.
-  void prepare(const TerrainLook& look, const glm::vec3& light_direction);
+  /// Brings the textures up to date with snapshot, season and light. Call before draw, with a snapshot set. A new ground is made whole at once;
+  /// what trails, water and plants change comes one piece a call, so that no frame waits for all of it. False while pieces are left.
+  bool prepare(const TerrainLook& look, const glm::vec3& light_direction);
+  /// Makes the next prepare() bring everything up to date.
+  void prepare_whole() { whole_ = true; }
   DrawCount draw(const TerrainLook& look, const glm::dvec3& eye, const Frustum& frustum) const;
 
   /// Binds height and sunlight textures (units 0 and 6), which plants and animals read too.
@@ -57,6 +61,7 @@ class TerrainRenderer {
   void make_patch();
   void make_surface();
   void make_lines();
+  void make_shore();
   void colour(const TerrainLook& look);
   void upload_colours(const Rect& texels);
   void shade(const glm::vec3& light_direction);
@@ -67,7 +72,9 @@ class TerrainRenderer {
   std::shared_ptr<const MapsSnapshot> snapshot_;
   /// The snapshot whose covers the colours show.
   std::shared_ptr<const MapsSnapshot> coloured_;
+  bool whole_ = true;
   bool surface_stale_ = true;
+  bool shade_stale_ = true;
   bool lines_stale_ = true;
   bool colours_stale_ = true;
   int coloured_month_ = -1;
@@ -77,6 +84,9 @@ class TerrainRenderer {
   int stride_ = 1;
   Grid<float> surface_;
   Grid<float> thin_surface_;
+  /// Where water is drawn, kept while the water stays: trails change far more often.
+  ShoreMap shore_;
+  std::shared_ptr<const Hydrology> shore_of_;
   HeightBounds bounds_;
   GroundColours colours_;
   /// Squares of patch_cells cells with water in them or near, counted from the south-west.
