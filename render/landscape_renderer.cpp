@@ -75,7 +75,8 @@ FrameUniforms LandscapeRenderer::State::frame(const Camera& camera, const Landsc
   // Haze takes half the light over about 1.3 times the map's side, at most 9 km: far ridges are veiled but there.
   // From above one looks through thinner air at the whole of it.
   const float lifted = float(std::clamp(above / double(extent), 0.0, 1.0));
-  const float clear = std::clamp(1.3F * extent, 2500.0F, 9000.0F) * (1 + 2.5F * lifted);
+  const float low = std::clamp(1.3F * extent, 2500.0F, 9000.0F);
+  const float clear = low + lifted * (std::max(3.5F * low, 3.0F * extent) - low);
   out.fog = {0.693F / clear, 1.0F / std::max(300.0F, 1.2F * (heights.y - heights.x)), heights.x, options.quality};
   out.terrain = {float(ground.width_metres()), float(ground.height_metres()), float(ground.cell_size), heights.x};
   return out;

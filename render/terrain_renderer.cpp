@@ -16,7 +16,7 @@ constexpr int patch_cells = 16;
 /// Side of the finest quads on coarse grids, m.
 constexpr double coarsest_quad = 10;
 /// Longest side of a ground texture, texels.
-constexpr int longest_texture = 4096;
+constexpr int longest_texture = 2048;
 /// Longest side of the texture of shores and trails where it is finer than the terrain: finer costs a software renderer too long.
 constexpr int longest_lines = 2048;
 /// Longest side of the grid on which shadows are swept, cells.
