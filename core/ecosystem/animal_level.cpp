@@ -122,6 +122,7 @@ std::vector<std::vector<double>> apply_paint(const AnimalLevelInput& input, cons
                                              const AnimalCompetition& competition, AnimalLevel& level) {
   level.population = level.computed_population;
   std::vector<PaintedPopulation> painted_populations(level.species.size());
+  level.attraction.assign(level.species.size(), {});
   std::vector<char> inhabited(competition.settlements().size());
   bool any = false;
   for (std::size_t i = 0; i < level.species.size(); ++i) {
@@ -130,6 +131,8 @@ std::vector<std::vector<double>> apply_paint(const AnimalLevelInput& input, cons
     painted_populations[i] =
         painted_population(*level.regions[i], level.computed_population[i], *input.paint[i], input.ground.terrain->cell_size);
     level.population[i] = painted_populations[i].population;
+    level.attraction[i] =
+        node_attraction(*level.graph, *level.regions[i], level.computed_population[i], level.population[i], *input.paint[i]);
     warn_of_uninhabitable_paint(input.web, level.species[i], painted_populations[i], level);
     for (std::size_t region = 0; region < level.population[i].size(); ++region) {
       inhabited[competition.settlement(int(i), int(region))] = level.population[i][region] > 0;

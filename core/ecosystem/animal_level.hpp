@@ -48,6 +48,9 @@ struct AnimalLevel {
   /// Individuals by species and region: as competition made them, and with paint.
   std::vector<std::vector<double>> computed_population;
   std::vector<std::vector<double>> population;
+  /// Where in its regions paint draws a species: by species and node of `graph`, the painted density on the node over the mean of its
+  /// region (1 where nothing is painted). Empty for a species without paint.
+  std::vector<std::vector<float>> attraction;
   std::vector<Herd> herds;
   /// Shares of the level's individuals; `desired` is empty when none was asked.
   std::vector<double> desired;

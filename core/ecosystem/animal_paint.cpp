@@ -67,6 +67,50 @@ TileChange change_of_tile(const ConfinementRegions& regions, std::span<const dou
 
 }  // namespace
 
+namespace {
+
+/// Adds what one tile's paint changes to the density sums of the nodes under it (individuals per km2, summed over cells).
+void add_tile_to_nodes(const GraphLevel& graph, const ConfinementRegions& regions, std::span<const double> computed, const PaintLayer& paint,
+                       std::size_t tile, std::vector<double>& change) {
+  const Rect rect = paint.tile_rect(tile);
+  const PaintLayer::Tile& cells = *paint.tile(tile);
+  for (int y = rect.y0; y < rect.y1; ++y) {
+    for (int x = rect.x0; x < rect.x1; ++x) {
+      const Paint& cell = cells[PaintLayer::offset(x, y)];
+      const std::int32_t region = regions.label(x, y);
+      if (cell.coverage <= 0 || region < 0) continue;
+      const auto uniform = float(uniform_density(regions.regions[std::size_t(region)], computed[std::size_t(region)]));
+      const double difference = double(std::max(0.0F, painted(uniform, cell)) - uniform);
+      for (const auto& nodes : graph.node_of_cell) {
+        const std::int32_t node = nodes ? (*nodes)(x, y) : -1;
+        if (node >= 0) change[std::size_t(node)] += difference;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<float> node_attraction(const GraphLevel& graph, const ConfinementRegions& regions, std::span<const double> computed,
+                                   std::span<const double> population, const PaintLayer& paint) {
+  std::vector<double> change(graph.nodes.size(), 0.0);
+  for (std::size_t tile = 0; tile < paint.tile_count(); ++tile) {
+    if (paint.tile(tile)) add_tile_to_nodes(graph, regions, computed, paint, tile, change);
+  }
+  std::vector<float> attraction(graph.nodes.size(), 1.0F);
+  for (std::size_t i = 0; i < attraction.size(); ++i) {
+    const ResourceNode& node = graph.nodes[i];
+    const std::int32_t region = regions.label(node.x, node.y);
+    if (node.kind == NodeKind::prey || region < 0 || node.cells == 0) continue;
+    const auto& of = regions.regions[std::size_t(region)];
+    const double mean = uniform_density(of, population[std::size_t(region)]);
+    if (mean <= 0) continue;
+    const double here = uniform_density(of, computed[std::size_t(region)]) + change[i] / double(node.cells);
+    attraction[i] = float(std::max(0.0, here / mean));
+  }
+  return attraction;
+}
+
 double uniform_density(const ConfinementRegions::Region& region, double individuals) {
   return individuals / (region.area / square_metres_per_km2);
 }

@@ -5,6 +5,7 @@
 
 #include "core/base/paint.hpp"
 #include "core/ecosystem/confinement.hpp"
+#include "core/ecosystem/resource_access_graph.hpp"
 
 namespace biotope {
 
@@ -28,6 +29,11 @@ struct PaintedPopulation {
 /// Integrates lerp(uniform density, value, coverage) over each region; only painted tiles are read. Parallel.
 [[nodiscard]] PaintedPopulation painted_population(const ConfinementRegions& regions, std::span<const double> computed,
                                                    const PaintLayer& paint, double cell_size);
+
+/// Painted density on each node over the mean density of the node's region, for AnimalLevel::attraction. `population` is by region, with paint. Nodes
+/// of prey stand for whole regions and keep 1.
+[[nodiscard]] std::vector<float> node_attraction(const GraphLevel& graph, const ConfinementRegions& regions, std::span<const double> computed,
+                                                 std::span<const double> population, const PaintLayer& paint);
 
 /// Individuals per km2 of a region with so many individuals.
 [[nodiscard]] double uniform_density(const ConfinementRegions::Region& region, double individuals);

@@ -37,11 +37,19 @@ std::vector<LevelTravel::Presence> presence_in_region(const FoodWeb& web, const 
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (region_of_node(level, species_index, nodes[i]) == region) inside.push_back(int(i));
   }
+  // A person's paint on the density says where in the region the herd would rather be.
+  const bool drawn = std::size_t(species_index) < level.attraction.size() && !level.attraction[std::size_t(species_index)].empty();
+  const auto attraction = [&](int node) {
+    return drawn ? double(level.attraction[std::size_t(species_index)][std::size_t(node)]) : 1.0;
+  };
   std::vector<double> probability(inside.size(), 0.0);
   const auto share_out = [&](double share, const auto& quantity_at) {
     double total = 0;
     std::vector<double> quantity(inside.size());
-    for (std::size_t i = 0; i < inside.size(); ++i) total += quantity[i] = quantity_at(nodes[std::size_t(inside[i])]);
+    for (std::size_t i = 0; i < inside.size(); ++i) {
+      quantity[i] = quantity_at(nodes[std::size_t(inside[i])]) * attraction(inside[i]);
+      total += quantity[i];
+    }
     if (total <= 0) return;
     for (std::size_t i = 0; i < inside.size(); ++i) probability[i] += share * quantity[i] / total;
   };

@@ -114,6 +114,34 @@ TEST_CASE("Painting an animal never competes its own level again, but feeds back
   CHECK(eaten_after < eaten_before);
 }
 
+TEST_CASE("Painted animals draw their herds to where the paint is") {
+  Document document = start();
+  const auto before = solved(document);
+  const AnimalLevel& level = *before->animals[0];
+  const auto most = std::max_element(level.population.begin(), level.population.end(), [](const auto& a, const auto& b) {
+    return std::accumulate(a.begin(), a.end(), 0.0) < std::accumulate(b.begin(), b.end(), 0.0);
+  });
+  const auto s = std::size_t(most - level.population.begin());
+  const LayerId layer{LayerKind::animal_density, before->web->species[std::size_t(level.species[s])].name};
+  const Grid<float> computed(160, 128, 100.0F);
+  Stroke stroke(layer, &computed);
+  stroke.dab(document, {.mode = BrushMode::set, .radius = 20, .strength = 1, .hardness = 1, .value = 2000}, 100, 90);
+  const auto after = solved(document);
+  const auto share_near = [&](const MapsSnapshot& maps) {
+    double near = 0;
+    double all = 0;
+    for (const auto& region : maps.movement[0].travel->presence[s]) {
+      for (const auto& [node, probability] : region) {
+        const ResourceNode& at = maps.animals[0]->graph->nodes[std::size_t(node)];
+        all += double(probability);
+        near += std::hypot(at.x - 100, at.y - 90) < 25 ? double(probability) : 0;
+      }
+    }
+    return near / all;
+  };
+  CHECK(share_near(*after) > 1.5 * share_near(*before));
+}
+
 TEST_CASE("A stopped solve says so and what it finished is used by the next one") {
   const Document document = start();
   SolveCache cache;
