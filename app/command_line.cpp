@@ -8,6 +8,7 @@
 #include <new>
 #include <ostream>
 
+#include "app/edit_command.hpp"
 #include "app/editor.hpp"
 #include "app/headless_command.hpp"
 #include "app/info_command.hpp"
@@ -22,6 +23,7 @@ namespace {
 struct CommandLine {
   LandscapeRequest editor;
   SolveRequest solve;
+  EditRequest edit;
   RenderRequest render;
   LandscapeRequest info;
   std::string sample_name;
@@ -104,7 +106,24 @@ void add_solve(CLI::App& program, SolveRequest& request) {
     if (text != "all") return fail("'" + text + "': expected all.");
     return true;
   };
+  // solve never does otherwise; the flag is for scripts that compare with 'edit' and want to say so.
+  command.add_flag_function(
+      "--from-scratch", [](std::int64_t) {}, "Compute everything anew, as solve always does");
   add_parsed(command, "--maps", request.all_maps, which_maps, "'all' also writes fitness and monthly environment maps", "all");
+  add_import_options(command, request.landscape.import);
+  add_ecosystem_options(command, request.landscape);
+}
+
+void add_edit(CLI::App& program, EditRequest& request) {
+  CLI::App& command = *program.add_subcommand("edit", "Play recorded edits on a landscape and save the result as a scene");
+  add_file(command, request.landscape.input);
+  command.get_option("FILE")->required();
+  add_name(command, "--script", request.script, "Edit script to play (File > Record edits in the editor)", "EDITS.json")
+      ->required();
+  add_name(command, "--out", request.scene, "Scene to write", "FILE2.biotope")->required();
+  add_name(command, "--maps", request.maps_folder, "Also write what solve writes, of the result, into this folder", "DIR");
+  command.add_flag("--verify", request.verify,
+                   "Fail unless the maps kept up to date from edit to edit equal those computed from scratch, to the bit");
   add_import_options(command, request.landscape.import);
   add_ecosystem_options(command, request.landscape);
 }
@@ -145,11 +164,14 @@ Status run_editor_or_say_why(const LandscapeRequest& request, std::ostream& out,
 Status dispatch(const CLI::App& program, const CommandLine& line, std::ostream& out, std::ostream& err) {
   const auto chosen = [&](const char* name) { return program.got_subcommand(name); };
   std::unique_ptr<tbb::global_control> limit;
-  const int threads = chosen("render") ? line.render.landscape.threads : line.solve.landscape.threads;
+  const int threads = chosen("render") ? line.render.landscape.threads
+                      : chosen("edit") ? line.edit.landscape.threads
+                                       : line.solve.landscape.threads;
   if (threads > 0) {
     limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
   }
   if (chosen("solve")) return run_solve(line.solve, out, err);
+  if (chosen("edit")) return run_edit(line.edit, out, err);
   if (chosen("render")) return run_render(line.render, out, err);
   if (chosen("info")) return run_info(line.info, out);
   if (chosen("sample")) return run_sample(line.sample_name, line.sample_file, line.sample_quiet, out, err);
@@ -183,6 +205,7 @@ int parse_and_run(const std::vector<std::string>& arguments, std::ostream& out, 
   add_file(program, line.editor.input);
   add_import_options(program, line.editor.import);
   add_solve(program, line.solve);
+  add_edit(program, line.edit);
   add_render(program, line.render);
   add_info(program, line.info);
   add_sample(program, line);

@@ -15,9 +15,9 @@ namespace {
 constexpr auto refresh = std::chrono::milliseconds(60);
 
 /// The stages a person hears of: the pipeline's, and reading and writing around them. Other names are parts of the stage before.
-constexpr std::array<std::string_view, 13> stages{"reading heights", "eroding",      "species", "slopes", "water",
-                                                  "environment",     "plants",       "animals", "travel", "trails",
-                                                  "daily plans",     "writing maps", "drawing"};
+constexpr std::array<std::string_view, 15> stages{"reading heights", "eroding",     "playing edits", "species",      "slopes",
+                                                  "water",           "environment", "plants",        "animals",      "travel",
+                                                  "trails",          "daily plans", "saving",        "writing maps", "drawing"};
 
 bool same_word(std::string_view a, std::string_view b) {
   const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };

@@ -17,6 +17,14 @@ const char* kind_name(LayerKind kind) {
       return "plant density";
     case LayerKind::animal_density:
       return "animal density";
+    case LayerKind::geology:
+      return "geology";
+    case LayerKind::loss:
+      return "growth lost";
+    case LayerKind::passage:
+      return "obstacles and passages";
+    case LayerKind::ground:
+      return "ground height";
   }
   return "";
 }

@@ -3,6 +3,7 @@
 option(BIOTOPE_EDITOR "Build the editor and the command line (needs GLFW and Dear ImGui)" ON)
 option(BIOTOPE_TESTS "Build the tests" ON)
 option(BIOTOPE_BENCHMARKS "Build tests/bench" OFF)
+option(BIOTOPE_FUZZ "Build tests/fuzz with libFuzzer (needs clang++)" OFF)
 set(BIOTOPE_SANITIZE "" CACHE STRING "Sanitizers to build with: address,undefined or thread")
 
 set(CMAKE_CXX_STANDARD 20)
@@ -29,6 +30,11 @@ add_compile_options(-fno-trapping-math -fno-math-errno)
 # GCC 12 reports false positives of these from inside the standard library at -O2 and above.
 add_compile_options(-Wno-error=maybe-uninitialized -Wno-error=array-bounds
                     -Wno-error=stringop-overflow -Wno-error=stringop-overread -Wno-error=restrict)
+
+if(BIOTOPE_FUZZ)
+  # GCC's warnings are the rule; clang is here for libFuzzer alone.
+  add_compile_options(-Wno-error -Wno-everything -fsanitize=fuzzer-no-link)
+endif()
 
 if(BIOTOPE_SANITIZE)
   add_compile_options(-fsanitize=${BIOTOPE_SANITIZE} -fno-omit-frame-pointer)

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
-#include "core/base/parallel.hpp"
 #include "core/base/random.hpp"
 #include "render/ground_maps.hpp"
 
@@ -207,17 +206,19 @@ SeasonalFoliage seasonal_foliage(const PlantTraits& plant, int month) {
   return out;
 }
 
-void colour_ground(const MapsSnapshot& snapshot, int month, const SpeciesVisibility& visible, const Rect& rect,
-                   GroundColours& out) {
+GroundColours colour_ground(const MapsSnapshot& snapshot, int month, const SpeciesVisibility& visible, int stride,
+                            const Rect& rect) {
   const GroundPainter painter(snapshot, month, visible);
-  parallel_rows(rect.y0, rect.y1, [&](int y) {
+  GroundColours out{Grid<Rgba>(rect.width(), rect.height()), Grid<Rgba>(rect.width(), rect.height())};
+  for (int y = rect.y0; y < rect.y1; ++y) {
     for (int x = rect.x0; x < rect.x1; ++x) {
-      const CellLook cell = painter.look(x * out.stride + out.stride / 2, y * out.stride + out.stride / 2);
+      const CellLook cell = painter.look(x * stride + stride / 2, y * stride + stride / 2);
       const float grain = 0.94F + 0.12F * float(random_unit({0x67726f756e64ULL, std::uint64_t(x), std::uint64_t(y)}));
-      out.ground(x, y) = coded(cell.ground * grain, cell.rock);
-      out.canopy(x, y) = coded(cell.canopy * grain, cell.canopy_cover);
+      out.ground(x - rect.x0, y - rect.y0) = coded(cell.ground * grain, cell.rock);
+      out.canopy(x - rect.x0, y - rect.y0) = coded(cell.canopy * grain, cell.canopy_cover);
     }
-  });
+  }
+  return out;
 }
 
 }  // namespace biotope

@@ -7,32 +7,35 @@
 #include "core/base/grid.hpp"
 #include "core/base/rect.hpp"
 #include "core/pipeline/maps_snapshot.hpp"
+#include "render/texel_pyramid.hpp"
 
 namespace biotope {
 
-using Rgba = std::array<std::uint8_t, 4>;
-
 /// Height of what one sees of the ground (m): carved by trails, raised to the surface of lakes and sea, a little sunk in rivers.
-[[nodiscard]] Grid<float> visible_surface(const MapsSnapshot& snapshot);
+/// Of every `stride`-th cell. Parallel.
+[[nodiscard]] Grid<float> visible_surface(const MapsSnapshot& snapshot, int stride = 1);
 
-/// Normals of a surface, as unsigned bytes (x east, y north, z up; 128 is 0) with the share of open sky in the fourth.
-[[nodiscard]] Grid<Rgba> surface_normals(const Grid<float>& surface, double cell_size);
+/// Farthest cell that a normal depends on.
+inline constexpr int normal_reach = 10;
+/// Normals of the cells of `rect` of a surface, as unsigned bytes (x east, y north, z up; 128 is 0) with the share of open sky in
+/// the fourth.
+[[nodiscard]] Grid<Rgba> surface_normals(const Grid<float>& surface, double cell_size, const Rect& rect);
 
 /// Which species to show; empty shows all.
 using SpeciesVisibility = std::vector<bool>;
 
-/// Two pictures of the ground from above, colours as the square root of linear light.
+/// Two pictures of a piece of ground from above, colours as the square root of linear light.
 struct GroundColours {
-  /// Cells a texel, so that very large terrains fit a texture.
-  int stride = 1;
   /// Bare earth, rock, herbs and the floor under trees; alpha: share of bare rock.
   Grid<Rgba> ground;
   /// Mean colour of the crowns of trees and shrubs; alpha: share of ground they cover.
   Grid<Rgba> canopy;
 };
 
-/// Colours the texels of `rect` for a month (0 is January). Parts of the snapshot that are null are left out. Parallel.
-void colour_ground(const MapsSnapshot& snapshot, int month, const SpeciesVisibility& visible, const Rect& rect, GroundColours& out);
+/// Colours of the texels of `rect` in a month (0 is January), a texel for every `stride` cells. Parts of the snapshot that are
+/// null are left out.
+[[nodiscard]] GroundColours colour_ground(const MapsSnapshot& snapshot, int month, const SpeciesVisibility& visible, int stride,
+                                          const Rect& rect);
 
 /// Leaf colour of a plant in a month, linear; `bare` (0..1) tells how much foliage has fallen.
 struct SeasonalFoliage {

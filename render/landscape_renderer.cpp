@@ -18,6 +18,22 @@ constexpr double plant_milliseconds = 8;
 
 PlantLook plant_look(const LandscapeOptions& options) { return {options.month, options.visible_species, options.quality}; }
 
+TerrainLook terrain_look(const LandscapeOptions& options, const Terrain& ground) {
+  TerrainLook look;
+  look.month = options.month;
+  look.visible = options.visible_species;
+  look.water = options.water;
+  look.trails = options.trails;
+  look.quality = options.quality;
+  look.canopy_strength = options.plants ? 1.0F : 0.0F;
+  if (options.brush) {
+    const float cell = float(ground.cell_size);
+    look.brush = glm::vec3((options.brush->x + 0.5F) * cell, (float(ground.height.height()) - 0.5F - options.brush->y) * cell,
+                           options.brush->z * cell);
+  }
+  return look;
+}
+
 }  // namespace
 
 struct LandscapeRenderer::State {
@@ -25,12 +41,22 @@ struct LandscapeRenderer::State {
   std::unique_ptr<TerrainRenderer> terrain;
   std::unique_ptr<AnimalRenderer> animals;
   std::unique_ptr<PlantRenderer> plants;
+  /// The ground the plants stand on.
+  std::shared_ptr<const GroundPicture> planted;
   SkyRenderer sky;
   Buffer frame_buffer = make_buffer();
   LandscapeStatistics statistics;
-  bool complete = false;
+  bool ground_complete = false;
+  bool plants_complete = true;
+  /// bring_in() was called since the last draw.
+  bool brought_in = false;
+  /// The ground that was drawn last.
+  std::shared_ptr<const GroundPicture> drawn_ground;
 
   FrameUniforms frame(const Camera& camera, const LandscapeOptions& options, const Daylight& light, int width, int height) const;
+  void follow_ground();
+  void draw_world(const Camera& camera, const LandscapeOptions& options, const Daylight& light, FrameUniforms& frame);
+  void count(const DrawCount& drawn);
 };
 
 LandscapeRenderer::LandscapeRenderer() : state_(std::make_unique<State>()) {}
@@ -55,16 +81,25 @@ Result<std::unique_ptr<LandscapeRenderer>> LandscapeRenderer::create() {
 }
 
 void LandscapeRenderer::set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot) {
-  if (!snapshot || !snapshot->document.terrain || snapshot->document.terrain->height.empty()) return;
+  if (!snapshot || !snapshot->surface() || snapshot->terrain().height.empty()) return;
   state_->snapshot = snapshot;
-  state_->plants->set_snapshot(snapshot);
   state_->terrain->set_snapshot(std::move(snapshot));
 }
 
-FrameUniforms LandscapeRenderer::State::frame(const Camera& camera, const LandscapeOptions& options, const Daylight& light, int width,
-                                              int height) const {
+/// Plants stand on the ground that is in sight: they follow when a picture of it is whole.
+void LandscapeRenderer::State::follow_ground() {
+  const std::shared_ptr<const GroundPicture>& ground = terrain->shown();
+  if (!terrain->ready() || ground->coarse || ground == planted) return;
+  if (!planted || planted->of.snapshot != ground->of.snapshot) {
+    plants->set_snapshot(ground->of.snapshot, std::shared_ptr<const GroundLines>(ground, ground->lines.get()));
+  }
+  planted = ground;
+}
+
+FrameUniforms LandscapeRenderer::State::frame(const Camera& camera, const LandscapeOptions& options, const Daylight& light,
+                                              int width, int height) const {
   const Terrain& ground = snapshot->terrain();
-  const glm::vec2 heights = terrain->height_range();
+  const glm::vec2 heights = terrain->ready() ? terrain->height_range() : glm::vec2(0, 1);
   const double above = camera.position.z - ground_height(ground, camera.position.x, camera.position.y);
   const float near_plane = std::clamp(float(above) * 0.2F, 0.3F, 25.0F);
   const float extent = float(std::max(ground.width_metres(), ground.height_metres()));
@@ -80,6 +115,49 @@ FrameUniforms LandscapeRenderer::State::frame(const Camera& camera, const Landsc
   out.fog = {0.693F / clear, 1.0F / std::max(300.0F, 1.2F * (heights.y - heights.x)), heights.x, options.quality};
   out.terrain = {float(ground.width_metres()), float(ground.height_metres()), float(ground.cell_size), heights.x};
   return out;
+}
+
+void LandscapeRenderer::State::count(const DrawCount& drawn) {
+  statistics.draw_calls += drawn.draw_calls;
+  statistics.triangles += drawn.triangles;
+}
+
+void LandscapeRenderer::State::draw_world(const Camera& camera, const LandscapeOptions& options, const Daylight& light,
+                                          FrameUniforms& frame) {
+  const Terrain& ground = snapshot->terrain();
+  const Frustum frustum(frame.view_projection);
+  TerrainLook look = terrain_look(options, ground);
+  const bool with_plants = options.plants && planted && same_extent(planted->terrain(), ground);
+  if (with_plants) {
+    plants_complete = plants->prepare(plant_look(options), camera.position, frame, frustum, plant_milliseconds);
+    frame.shade_area = PlantRenderer::shade_area(camera.position,
+                                                 camera.position.z - ground_height(ground, camera.position.x, camera.position.y));
+    look.canopy_from = plants->canopy_range().x;
+    look.canopy_whole = plants->canopy_range().y;
+  }
+  stream(frame_buffer, std::span<const FrameUniforms>(&frame, 1));
+  glBindBufferBase(GL_UNIFORM_BUFFER, frame_binding, frame_buffer.name());
+  if (with_plants) count(plants->draw_shade(frame.shade_area, light.light_direction));
+  // Plants before the ground: what they hide need not be shaded.
+  terrain->bind_shared();
+  if (with_plants) {
+    count(plants->draw());
+    statistics.plants = plants->plants_drawn();
+    statistics.instance_bytes = plants->bytes();
+  }
+  count(terrain->draw(look, camera.position, frustum));
+  count(animals->draw(*snapshot, options, camera.position, frustum, terrain->surface(), statistics.animals));
+}
+
+bool LandscapeRenderer::bring_in(const LandscapeOptions& options) {
+  State& state = *state_;
+  if (!state.snapshot) return false;
+  const Terrain& ground = state.snapshot->terrain();
+  state.ground_complete = state.terrain->prepare(terrain_look(options, ground),
+                                                 daylight(ground.latitude, options.month, options.hour).light_direction);
+  state.follow_ground();
+  state.brought_in = true;
+  return state.drawn_ground != state.terrain->shown() || !state.plants_complete;
 }
 
 void LandscapeRenderer::draw(const Camera& camera, const LandscapeOptions& options, int width, int height) {
@@ -98,56 +176,31 @@ void LandscapeRenderer::draw(const Camera& camera, const LandscapeOptions& optio
 
   const Terrain& ground = state.snapshot->terrain();
   const Daylight light = daylight(ground.latitude, options.month, options.hour);
-  TerrainLook look;
-  look.month = options.month;
-  look.visible = options.visible_species;
-  look.water = options.water;
-  look.trails = options.trails;
-  look.quality = options.quality;
-  look.canopy_strength = options.plants ? 1.0F : 0.0F;
-  if (options.brush) {
-    const float cell = float(ground.cell_size);
-    look.brush = glm::vec3((options.brush->x + 0.5F) * cell, (float(ground.height.height()) - 0.5F - options.brush->y) * cell,
-                           options.brush->z * cell);
-  }
-  state.complete = state.terrain->prepare(look, light.light_direction);
+  if (!state.brought_in) bring_in(options);
+  state.brought_in = false;
+  state.drawn_ground = state.terrain->shown();
+  state.plants_complete = true;
   FrameUniforms frame = state.frame(camera, options, light, width, height);
-  const Frustum frustum(frame.view_projection);
-  const auto count = [&](const DrawCount& drawn) {
-    state.statistics.draw_calls += drawn.draw_calls;
-    state.statistics.triangles += drawn.triangles;
-  };
-
-  if (options.plants) {
-    state.complete = state.plants->prepare(plant_look(options), camera.position, frame, frustum, plant_milliseconds) && state.complete;
-    frame.shade_area = PlantRenderer::shade_area(camera.position, camera.position.z - ground_height(ground, camera.position.x, camera.position.y));
-    look.canopy_from = state.plants->canopy_range().x;
-    look.canopy_whole = state.plants->canopy_range().y;
+  if (state.terrain->ready()) {
+    state.draw_world(camera, options, light, frame);
+  } else {
+    stream(state.frame_buffer, std::span<const FrameUniforms>(&frame, 1));
+    glBindBufferBase(GL_UNIFORM_BUFFER, frame_binding, state.frame_buffer.name());
   }
-  stream(state.frame_buffer, std::span<const FrameUniforms>(&frame, 1));
-  glBindBufferBase(GL_UNIFORM_BUFFER, frame_binding, state.frame_buffer.name());
-  if (options.plants) count(state.plants->draw_shade(frame.shade_area, light.light_direction));
-  // Plants before the ground: what they hide need not be shaded.
-  state.terrain->bind_shared();
-  if (options.plants) {
-    count(state.plants->draw());
-    state.statistics.plants = state.plants->plants_drawn();
-    state.statistics.instance_bytes = state.plants->bytes();
-  }
-  count(state.terrain->draw(look, camera.position, frustum));
-  count(state.animals->draw(*state.snapshot, options, camera.position, frustum, state.terrain->surface(), state.statistics.animals));
   state.sky.draw();
-  count({1, 1});
+  state.count({1, 1});
   glBindVertexArray(0);
 }
 
 void LandscapeRenderer::finish_loading(const Camera& camera, const LandscapeOptions& options) {
   if (!state_->snapshot) return;
-  state_->terrain->prepare_whole();
+  const Terrain& ground = state_->snapshot->terrain();
+  state_->terrain->finish(terrain_look(options, ground), daylight(ground.latitude, options.month, options.hour).light_direction);
+  state_->follow_ground();
   if (options.plants) state_->plants->finish_loading(plant_look(options), camera.position);
 }
 
-bool LandscapeRenderer::complete() const { return state_->complete; }
+bool LandscapeRenderer::complete() const { return state_->ground_complete && state_->plants_complete; }
 
 const LandscapeStatistics& LandscapeRenderer::statistics() const { return state_->statistics; }
 

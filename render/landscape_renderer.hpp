@@ -34,8 +34,9 @@ struct LandscapeStatistics {
   std::size_t instance_bytes = 0;
 };
 
-/// Draws a MapsSnapshot in 3D: terrain, water, sky, trails, instanced procedural plants with level of detail, herds at their place on the clock.
-/// Owns its OpenGL objects; needs a current OpenGL 4.5 core context for its whole life. Draws only; changes nothing in the model.
+/// Draws a MapsSnapshot in 3D: terrain, water, sky, trails, instanced procedural plants with level of detail, herds at their
+/// place on the clock. Owns its OpenGL objects; needs a current OpenGL 4.5 core context for its whole life. Draws only; changes
+/// nothing in the model.
 class LandscapeRenderer {
  public:
   [[nodiscard]] static Result<std::unique_ptr<LandscapeRenderer>> create();
@@ -45,12 +46,16 @@ class LandscapeRenderer {
 
   /// Takes a newer snapshot; uploads only what changed (pointers differ).
   void set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot);
+  /// Brings in what was made in the background since the last call, for a few milliseconds; draw() does it where it was not
+  /// called before. True when draw() would show something that it did not show before.
+  bool bring_in(const LandscapeOptions& options);
   /// Draws into the framebuffer bound now, over width x height pixels.
   void draw(const Camera& camera, const LandscapeOptions& options, int width, int height);
-  /// Builds at once everything that draw() would build over several frames for that camera (plants): for pictures and tests. draw() itself
-  /// spends at most a few milliseconds a frame on it.
+  /// Waits until everything is there that draw() would show for that camera only after some frames (ground and plants): for
+  /// pictures and tests. draw() itself never waits; the ground is made on a thread of its own, and a few milliseconds a frame
+  /// bring in what is ready.
   void finish_loading(const Camera& camera, const LandscapeOptions& options);
-  /// False while plants of the last view drawn are still being built: draw again soon.
+  /// False while ground or plants of the last view drawn are still being made: draw again soon.
   [[nodiscard]] bool complete() const;
   [[nodiscard]] const LandscapeStatistics& statistics() const;
 
@@ -64,8 +69,8 @@ class LandscapeRenderer {
 [[nodiscard]] float ground_height(const Terrain& terrain, double x, double y);
 
 /// Where a ray from `origin` along `direction` first meets the ground within `reach` metres.
-[[nodiscard]] std::optional<glm::dvec3> pick_ground(const Terrain& terrain, const glm::dvec3& origin,
-                                                    const glm::vec3& direction, double reach = 20000);
+[[nodiscard]] std::optional<glm::dvec3> pick_ground(const Terrain& terrain, const glm::dvec3& origin, const glm::vec3& direction,
+                                                    double reach = 20000);
 
 /// A good first view of a landscape: near water, looking along the valley, at a few metres above the ground.
 [[nodiscard]] Camera first_view(const MapsSnapshot& snapshot);

@@ -68,9 +68,12 @@ class MapRenderer {
   void set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot);
   /// Tells that cells of `rect` of the overlay uploaded last have changed in place (a brush stroke); uploads only those.
   void patch_overlay(const Grid<float>& cells, const Rect& rect);
-  /// Draws into the framebuffer bound now, over width x height pixels.
+  /// Draws into the framebuffer bound now, over width x height pixels. Never waits: ground and maps are prepared on a thread of
+  /// their own and come in over a few frames; what was there before stays in sight.
   void draw(const MapOptions& options, int width, int height);
-  /// False while the relief of a large terrain is still being shaded, a few million cells a draw.
+  /// Waits until everything is there that draw() would show only after some frames: for pictures and tests.
+  void finish_loading(const MapOptions& options);
+  /// False while something is still to come in: draw again soon.
   [[nodiscard]] bool complete() const;
 
  private:

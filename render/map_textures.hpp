@@ -1,57 +1,68 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/pipeline/maps_snapshot.hpp"
 #include "render/gl_objects.hpp"
-#include "render/shader_program.hpp"
+#include "render/map_picture.hpp"
+#include "render/map_renderer.hpp"
+#include "render/streamed_grid.hpp"
 
 namespace biotope {
 
-/// The terrain on the graphics card: heights, and their shaded relief, which is made a few rows a frame.
-class ReliefTexture {
+/// The map's ground on the graphics card: heights, relief and water, brought in a piece a frame.
+class MapGround {
  public:
-  void set_terrain(std::shared_ptr<const Terrain> terrain);
-  /// Shades up to `cells` more cells with the program of shaders/map/relief.frag. Changes the bound framebuffer and viewport.
-  void shade_some(const ShaderProgram& program, std::size_t cells);
-  [[nodiscard]] bool complete() const { return rows_done_ >= rows_; }
-  [[nodiscard]] const Texture& heights() const { return heights_; }
-  [[nodiscard]] const Texture& relief() const { return relief_; }
-  [[nodiscard]] const std::shared_ptr<const Terrain>& terrain() const { return terrain_; }
+  void ask(const MapRequest& request);
+  /// Takes what was made since and uploads what the budget allows; true when what is shown has changed.
+  bool bring_in(UploadBudget& budget);
+  void wait() { maker_.wait_idle(); }
+  [[nodiscard]] bool complete() const { return !coming_ && idle_; }
+  /// Null before the first.
+  [[nodiscard]] const std::shared_ptr<const MapPicture>& shown() const { return shown_; }
+  [[nodiscard]] GLuint heights() const { return heights_.texture().name(); }
+  [[nodiscard]] GLuint relief() const { return relief_.texture().name(); }
+  /// 0 where no water is known.
+  [[nodiscard]] GLuint water() const { return water_.texture().name(); }
 
  private:
-  std::shared_ptr<const Terrain> terrain_;
-  Texture heights_;
-  Texture relief_;
-  Framebuffer framebuffer_;
-  int rows_ = 0;
-  int rows_done_ = 0;
-  float lowest_ = 0;
-  float highest_ = 0;
+  void take(std::shared_ptr<const MapPicture> picture);
+  bool upload(UploadBudget& budget);
+
+  std::optional<MapRequest> asked_;
+  std::shared_ptr<const MapPicture> shown_;
+  std::shared_ptr<const MapPicture> coming_;
+  bool idle_ = true;
+  StreamedGrid<float> heights_;
+  StreamedGrid<Rgba> relief_;
+  StreamedGrid<Rg> water_;
+  MapMaker maker_;
 };
 
-/// Wet cells (r) and their depth on a square-root scale (g), with mipmaps.
-[[nodiscard]] Texture water_texture(const Hydrology& hydrology);
-
-/// The values of a map, uploaded when the grid's pointer changes.
+/// The values of a map, uploaded when the grid's pointer changes; until they are there the map before stays with its colours.
 class OverlayTexture {
  public:
-  void set(const std::shared_ptr<const Grid<float>>& cells, bool smooth);
+  /// True when what is shown has changed.
+  bool bring_in(const MapOverlay& wanted, UploadBudget& budget);
   void patch(const Grid<float>& cells, const Rect& rect);
-  [[nodiscard]] const Texture& texture() const { return texture_; }
+  [[nodiscard]] bool coming() const { return grid_.coming(); }
+  /// The map whose values the texture holds.
+  [[nodiscard]] const std::optional<MapOverlay>& shown() const { return shown_; }
+  [[nodiscard]] const Texture& texture() const { return grid_.texture(); }
 
  private:
-  std::shared_ptr<const Grid<float>> cells_;
-  Texture texture_;
-  int width_ = 0;
-  int height_ = 0;
+  StreamedGrid<float> grid_;
+  std::shared_ptr<const Grid<float>> coming_cells_;
+  std::optional<MapOverlay> shown_;
 };
 
 /// The coverage of a layer of paint; uploads the tiles whose pointers changed.
 class PaintTexture {
  public:
-  void set(const PaintLayer& layer);
+  /// Returns the cells that have changed.
+  Rect set(const PaintLayer& layer);
   void clear();
   [[nodiscard]] const Texture& texture() const { return texture_; }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/parallel.hpp"
+#include "render/changed_tiles.hpp"
 
 namespace biotope {
 
@@ -17,80 +18,55 @@ bool same_plants(const MapsSnapshot& a, const MapsSnapshot& b) {
                      [&](int i) { return a.web->species[std::size_t(i)].traits == b.web->species[std::size_t(i)].traits; });
 }
 
-/// Longest side of the grid on which plants ask for water, cells.
-constexpr int longest_shore = 2048;
-
-std::shared_ptr<const ShoreMap> drawn_shore(const Terrain& terrain, const Hydrology& hydrology) {
-  const int scale = line_field_scale(terrain.height.width(), terrain.height.height(), longest_shore);
-  return std::make_shared<const ShoreMap>(ShoreMap{scale, shore_field(terrain, hydrology, scale)});
-}
-
 }  // namespace
 
-void PlantBlocks::set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot) {
+void PlantBlocks::set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot, std::shared_ptr<const GroundLines> lines) {
   const std::shared_ptr<const MapsSnapshot> before = std::move(snapshot_);
+  const std::shared_ptr<const GroundLines> lines_before = std::move(lines_);
   snapshot_ = std::move(snapshot);
-  if (!before || before->hydrology != snapshot_->hydrology || before->document.terrain != snapshot_->document.terrain) {
-    shore_ = snapshot_->hydrology ? drawn_shore(snapshot_->terrain(), *snapshot_->hydrology) : nullptr;
-  }
-  placement_ = PlantPlacement(snapshot_, shore_);
-  const bool kept = before && before->document.terrain == snapshot_->document.terrain &&
+  lines_ = std::move(lines);
+  placement_ = PlantPlacement(snapshot_, lines_ && snapshot_->hydrology ? lines_->shore : nullptr);
+  const bool kept = before && same_extent(before->terrain(), snapshot_->terrain()) &&
                     before->document.seed == snapshot_->document.seed && same_plants(*before, *snapshot_) &&
                     before->cover.size() == snapshot_->cover.size();
-  if (!kept) {
+  if (kept) {
+    mark_changed(*before, lines_before.get());
+  } else {
     blocks_ = {};
-    return;
   }
-  mark_changed(*before);
 }
 
-void PlantBlocks::mark_changed(const MapsSnapshot& before) {
-  const Rect all = snapshot_->terrain().height.rect();
-  if (before.hydrology != snapshot_->hydrology) mark(all);
-  for (std::size_t i = 0; i < snapshot_->cover.size(); ++i) {
-    const auto& now = snapshot_->cover[i];
-    const auto& then = before.cover[i];
-    if (now == then) continue;
-    if (!now || !then || now->tile_count() != then->tile_count()) {
-      mark(all);
-      continue;
-    }
+void PlantBlocks::mark_changed(const MapsSnapshot& before, const GroundLines* lines_before) {
+  Grid<std::uint8_t> changed = changed_cover(*snapshot_, before);
+  const TiledMap<std::uint8_t>* now = lines_ ? &lines_->trodden : nullptr;
+  const TiledMap<std::uint8_t>* then = lines_before != nullptr ? &lines_before->trodden : nullptr;
+  const bool comparable = now != nullptr && then != nullptr && now->rect() == then->rect();
+  const bool other_ground = before.surface() != snapshot_->surface() || before.hydrology != snapshot_->hydrology;
+  if (other_ground || (before.trails != snapshot_->trails && !comparable)) {
+    std::fill(changed.cells().begin(), changed.cells().end(), std::uint8_t(1));
+  } else if (comparable) {
     for (std::size_t tile = 0; tile < now->tile_count(); ++tile) {
-      if (now->tile(tile) != then->tile(tile)) mark(now->tile_rect(tile));
+      if (now->tile(tile) != then->tile(tile)) changed[tile] = 1;
     }
   }
-  if (before.trails == snapshot_->trails) return;
-  const bool both = before.trails && snapshot_->trails && before.trails->wear.rect() == snapshot_->trails->wear.rect();
-  if (!both) {
-    mark(all);
-    return;
-  }
-  for (int y = 0; y < all.y1; y += tile_side) {
-    for (int x = 0; x < all.x1; x += tile_side) {
-      const Rect part = intersection({x, y, x + tile_side, y + tile_side}, snapshot_->trails->wear.rect());
-      bool differs = false;
-      for (int row = part.y0; row < part.y1 && !differs; ++row) {
-        const auto now = snapshot_->trails->wear.row(row).subspan(std::size_t(part.x0), std::size_t(part.width()));
-        const auto then = before.trails->wear.row(row).subspan(std::size_t(part.x0), std::size_t(part.width()));
-        differs = !std::equal(now.begin(), now.end(), then.begin());
-      }
-      if (differs) mark(part);
-    }
-  }
+  mark(changed);
 }
 
-void PlantBlocks::mark(const Rect& cells) {
+void PlantBlocks::mark(const Grid<std::uint8_t>& tiles) {
   const Terrain& terrain = snapshot_->terrain();
-  const double west = cells.x0 * terrain.cell_size;
-  const double east = cells.x1 * terrain.cell_size;
-  const double south = (terrain.height.height() - cells.y1) * terrain.cell_size;
-  const double north = (terrain.height.height() - cells.y0) * terrain.cell_size;
+  const double side = tile_side * terrain.cell_size;
+  const double north = terrain.height_metres();
   for (int s = 0; s < strata; ++s) {
-    const double side = PlantPlacement::block_side(Stratum(s));
-    for (auto& [place, block] : blocks_[std::size_t(s)]) {
-      const auto [row, column] = place;
-      if (column * side < east && (column + 1) * side > west && row * side < north && (row + 1) * side > south)
-        block.stale = true;
+    const double block = PlantPlacement::block_side(Stratum(s));
+    for (auto& [place, plants] : blocks_[std::size_t(s)]) {
+      // A block that only touches a tile's border has nothing of it.
+      const int x0 = std::max(0, int(std::floor(place.second * block / side)));
+      const int x1 = std::min(tiles.width(), int(std::ceil((place.second + 1) * block / side)));
+      const int y0 = std::max(0, int(std::floor((north - (place.first + 1) * block) / side)));
+      const int y1 = std::min(tiles.height(), int(std::ceil((north - place.first * block) / side)));
+      for (int y = y0; y < y1 && !plants.stale; ++y) {
+        for (int x = x0; x < x1 && !plants.stale; ++x) plants.stale = tiles(x, y) != 0;
+      }
     }
   }
 }

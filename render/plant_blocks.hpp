@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "render/ground_picture.hpp"
 #include "render/plant_placement.hpp"
 
 namespace biotope {
@@ -24,7 +25,8 @@ struct PlantBlock {
 /// block that waits for its turn keeps its old plants.
 class PlantBlocks {
  public:
-  void set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot);
+  /// `lines` is the water and the trails that are drawn with the snapshot; null: plants keep away from the cells of water only.
+  void set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot, std::shared_ptr<const GroundLines> lines = nullptr);
 
   /// Builds blocks of a stratum that lie within `reach` metres of (x, y), nearest first, until `until`. Returns false when some
   /// are left.
@@ -40,13 +42,14 @@ class PlantBlocks {
  private:
   [[nodiscard]] std::vector<std::pair<int, int>> missing(Stratum stratum, double x, double y, float reach) const;
   void fill(Stratum stratum, std::pair<int, int> place, PlantBlock& block) const;
-  void mark_changed(const MapsSnapshot& before);
-  void mark(const Rect& cells);
+  void mark_changed(const MapsSnapshot& before, const GroundLines* lines_before);
+  /// Makes the blocks stale that meet a tile of the terrain that is marked.
+  void mark(const Grid<std::uint8_t>& tiles);
   void drop_far(Stratum stratum, double x, double y, float reach);
 
   PlantPlacement placement_;
   std::shared_ptr<const MapsSnapshot> snapshot_;
-  std::shared_ptr<const ShoreMap> shore_;
+  std::shared_ptr<const GroundLines> lines_;
   std::array<Map, strata> blocks_;
 };
 

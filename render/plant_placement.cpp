@@ -20,7 +20,6 @@ constexpr float smallest = 0.78F;
 constexpr float largest = 1.2015F;
 /// In a full wood crowns grow into all the room there is.
 constexpr float most_crowded = 1.45F;
-constexpr float worn = 0.3F;
 constexpr float wet = 0.05F;
 /// Nothing stands nearer to drawn water than this, m.
 constexpr float bank = 0.3F;
@@ -59,7 +58,8 @@ PlantPlacement::PlantPlacement(std::shared_ptr<const MapsSnapshot> snapshot, std
 
 bool PlantPlacement::grows_at(int map_x, int map_y, float x, float y) const {
   const MapsSnapshot& maps = *snapshot_;
-  if (maps.hydrology && (maps.hydrology->water_depth(map_x, map_y) > wet || maps.hydrology->water(map_x, map_y) != WaterKind::dry)) {
+  if (maps.hydrology &&
+      (maps.hydrology->water_depth(map_x, map_y) > wet || maps.hydrology->water(map_x, map_y) != WaterKind::dry)) {
     return false;
   }
   if (shore_) {
@@ -67,7 +67,7 @@ bool PlantPlacement::grows_at(int map_x, int map_y, float x, float y) const {
     const std::uint8_t code = shore_->codes.clamped(int(double(x) / fine), shore_->codes.height() - 1 - int(double(y) / fine));
     if (shore_distance(code) > -bank) return false;
   }
-  return !maps.trails || maps.trails->wear.empty() || maps.trails->wear(map_x, map_y) <= worn;
+  return !maps.trails || maps.trails->wear.empty() || maps.trails->wear(map_x, map_y) <= trodden_wear;
 }
 
 PlantInstance PlantPlacement::stand(const Kind& kind, float x, float y) const {

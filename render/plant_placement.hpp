@@ -13,6 +13,8 @@ namespace biotope {
 /// Side of a block of plants, m. Trees and shrubs, and herbs in finer blocks because one sees them from near only.
 inline constexpr float woody_block_side = 64;
 inline constexpr float herb_block_side = 16;
+/// No plant grows where more of the ground than this is worn by trails.
+inline constexpr float trodden_wear = 0.3F;
 
 /// One plant. Metres from the south-west corner, z above sea level. What the instance buffers hold.
 struct PlantInstance {

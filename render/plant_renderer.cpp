@@ -50,15 +50,16 @@ Result<std::unique_ptr<PlantRenderer>> PlantRenderer::create() {
   return renderer;
 }
 
-void PlantRenderer::set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot) {
+void PlantRenderer::set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot, std::shared_ptr<const GroundLines> lines) {
   // Until the plants of an edit are known, those from before it stay in sight.
-  const bool waits =
-      snapshot_ && !snapshot->complete && lacks_plants(*snapshot) && snapshot_->document.terrain == snapshot->document.terrain;
+  const bool waits = snapshot_ && !snapshot->complete && lacks_plants(*snapshot) &&
+                     snapshot_->document.species == snapshot->document.species &&
+                     same_extent(snapshot_->terrain(), snapshot->terrain());
   if (waits) return;
   const bool new_web = snapshot->web && (!snapshot_ || snapshot_->web != snapshot->web);
   if (new_web) kinds_.set_web(*snapshot->web);
   snapshot_ = snapshot;
-  blocks_.set_snapshot(std::move(snapshot));
+  blocks_.set_snapshot(std::move(snapshot), std::move(lines));
   shaded_area_ = glm::vec4(0);
 }
 

@@ -23,7 +23,8 @@ class PlantRenderer {
  public:
   [[nodiscard]] static Result<std::unique_ptr<PlantRenderer>> create();
 
-  void set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot);
+  /// `lines` is the water and the trails that the ground shows with the snapshot.
+  void set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot, std::shared_ptr<const GroundLines> lines);
   /// Builds every block that an eye there needs, on all threads.
   void finish_loading(const PlantLook& look, const glm::dvec3& eye);
   /// Builds missing blocks for at most `budget_ms`, and chooses what is drawn. Call before the frame's other draws. Returns false

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/parallel.hpp"
+
 namespace biotope {
 
 HeightBounds::HeightBounds(const Grid<float>& surface, double cell_size, int patch_cells)
@@ -10,7 +12,7 @@ HeightBounds::HeightBounds(const Grid<float>& surface, double cell_size, int pat
   // Squares are counted from the south-west, one cell of overlap on each side for interpolation across borders.
   Grid<glm::vec2> base((surface.width() + patch_cells - 1) / patch_cells, (surface.height() + patch_cells - 1) / patch_cells,
                        glm::vec2(1e9F, -1e9F));
-  for (int row = 0; row < base.height(); ++row) {
+  parallel_rows(0, base.height(), [&](int row) {
     for (int column = 0; column < base.width(); ++column) {
       glm::vec2& bounds = base(column, row);
       for (int y = row * patch_cells - 1; y <= (row + 1) * patch_cells; ++y) {
@@ -20,7 +22,7 @@ HeightBounds::HeightBounds(const Grid<float>& surface, double cell_size, int pat
         }
       }
     }
-  }
+  });
   levels_.push_back(std::move(base));
   while (levels_.back().width() > 1 || levels_.back().height() > 1) {
     const Grid<glm::vec2>& fine = levels_.back();
@@ -72,7 +74,9 @@ class PatchSelection {
 
  private:
   float reach(double side) const { return float(side) * settings_.range_factor; }
-  static float nearest(const glm::vec3& low, const glm::vec3& high) { return glm::length(glm::max(glm::max(low, -high), glm::vec3(0))); }
+  static float nearest(const glm::vec3& low, const glm::vec3& high) {
+    return glm::length(glm::max(glm::max(low, -high), glm::vec3(0)));
+  }
 
   const PatchSettings& settings_;
   const HeightBounds& bounds_;
@@ -88,7 +92,9 @@ std::vector<GroundPatch> select_patches(const PatchSettings& settings, const Hei
   PatchSelection selection(settings, bounds, eye, frustum);
   double root = settings.finest_side;
   while (root < std::max(settings.width, settings.height)) root *= 2;
-  const auto squares = [&](double extent) { return std::pair(int(std::floor(-extent / root)), int(std::ceil(2 * extent / root))); };
+  const auto squares = [&](double extent) {
+    return std::pair(int(std::floor(-extent / root)), int(std::ceil(2 * extent / root)));
+  };
   const auto [x0, x1] = squares(settings.width);
   const auto [y0, y1] = squares(settings.height);
   for (int y = y0; y < y1; ++y) {

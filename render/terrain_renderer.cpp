@@ -5,26 +5,14 @@
 #include <utility>
 
 #include "render/detail_noise.hpp"
-#include "render/line_field.hpp"
-#include "render/terrain_shadow.hpp"
 
 namespace biotope {
 
 namespace {
 
-constexpr int patch_cells = 16;
+constexpr int patch_cells = ground_patch_cells;
 /// Side of the finest quads on coarse grids, m.
 constexpr double coarsest_quad = 10;
-/// Longest side of a ground texture, texels.
-constexpr int longest_texture = 2048;
-/// Longest side of the texture of shores and trails where it is finer than the terrain: finer costs a software renderer too long.
-constexpr int longest_lines = 2048;
-/// Longest side of the grid on which shadows are swept, cells.
-constexpr int longest_shadow = 1024;
-
-constexpr Sampling mirrored_mipmapped{GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_MIRRORED_REPEAT};
-constexpr Sampling mirrored{GL_LINEAR, GL_LINEAR, GL_MIRRORED_REPEAT};
-
 Texture upload_rgba(const Grid<Rgba>& texels, const Sampling& sampling) {
   Texture texture = make_texture_2d(GL_RGBA8, texels.width(), texels.height(), 0, sampling);
   glTextureSubImage2D(texture.name(), 0, 0, 0, texels.width(), texels.height(), GL_RGBA, GL_UNSIGNED_BYTE, texels.cells().data());
@@ -75,157 +63,59 @@ void TerrainRenderer::make_patch() {
   float_attribute(patch_array_, 1, 1, 4, 0);
 }
 
-void TerrainRenderer::set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot) {
-  const MapsSnapshot* before = snapshot_.get();
-  const bool first = before == nullptr;
-  const bool ground = first || before->document.terrain != snapshot->document.terrain;
-  const bool water = first || before->hydrology != snapshot->hydrology;
-  const bool trails = first || before->trails != snapshot->trails;
-  whole_ = whole_ || ground;
-  surface_stale_ = surface_stale_ || ground || water || trails;
-  lines_stale_ = lines_stale_ || ground || water || trails;
-  colours_stale_ = colours_stale_ || ground || water || before->environment != snapshot->environment ||
-                   before->derivatives != snapshot->derivatives || before->web != snapshot->web ||
-                   before->cover.size() != snapshot->cover.size();
-  snapshot_ = std::move(snapshot);
+void TerrainRenderer::ask(const TerrainLook& look, const glm::vec3& light_direction) {
+  GroundRequest wanted{snapshot_, look.month, look.visible, light_direction};
+  if (asked_ && same_request(*asked_, wanted)) return;
+  asked_ = wanted;
+  maker_.request(std::move(wanted));
 }
 
-bool TerrainRenderer::prepare(const TerrainLook& look, const glm::vec3& light_direction) {
-  const bool whole = std::exchange(whole_, false);
-  if (surface_stale_) {
-    make_surface();
-    shade_stale_ = true;
-    if (!whole) return false;
-  }
-  if (lines_stale_) {
-    make_lines();
-    if (!whole) return false;
-  }
-  colour(look);
-  if (shade_stale_ || glm::dot(shaded_light_, light_direction) < 0.99998F) shade(light_direction);
+void TerrainRenderer::take(std::shared_ptr<const GroundPicture> picture) {
+  coming_ = std::move(picture);
+  if (!coming_) return;
+  // Whoever holds a part holds the picture: it is then freed as a whole, by the thread that made it.
+  const auto part = [&](const auto& texels) { return std::shared_ptr<const std::decay_t<decltype(texels)>>(coming_, &texels); };
+  heights_.want(part(coming_->shape->heights));
+  normals_.want(part(coming_->shape->normals));
+  ground_.want(part(coming_->tints->ground));
+  canopy_.want(part(coming_->tints->canopy));
+  lines_.want(part(coming_->lines->lines));
+  sunlit_.want(part(coming_->light->sunlit));
+}
+
+bool TerrainRenderer::upload(UploadBudget& budget) {
+  const bool there = heights_.upload(budget) && normals_.upload(budget) && ground_.upload(budget) && canopy_.upload(budget) &&
+                     lines_.upload(budget) && sunlit_.upload(budget);
+  if (!there) return false;
+  heights_.show();
+  normals_.show();
+  ground_.show();
+  canopy_.show();
+  lines_.show();
+  sunlit_.show();
+  maker_.retire(std::exchange(shown_, std::exchange(coming_, nullptr)));
   return true;
 }
 
-void TerrainRenderer::make_surface() {
-  surface_stale_ = false;
-  surface_ = visible_surface(*snapshot_);
-  const double cell_size = snapshot_->terrain().cell_size;
-  const int longest = std::max(surface_.width(), surface_.height());
-  stride_ = (longest + longest_texture - 1) / longest_texture;
-  bounds_ = HeightBounds(surface_, cell_size, patch_cells);
-  const Grid<float> thin = stride_ > 1 ? thinned(surface_, stride_) : Grid<float>();
-  const Grid<float>& shown = stride_ > 1 ? thin : surface_;
-  heights_ = make_texture_2d(GL_R32F, shown.width(), shown.height(), 1, mirrored);
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTextureSubImage2D(heights_.name(), 0, 0, 0, shown.width(), shown.height(), GL_RED, GL_FLOAT, shown.cells().data());
-  normals_ = upload_rgba(surface_normals(shown, cell_size * stride_), mirrored_mipmapped);
-  const int shadow_stride = std::max(1, (longest + longest_shadow - 1) / longest_shadow);
-  thin_surface_ = shadow_stride > 1 ? thinned(surface_, shadow_stride) : surface_;
+bool TerrainRenderer::prepare(const TerrainLook& look, const glm::vec3& light_direction) {
+  ask(look, light_direction);
+  const bool busy = maker_.busy();
+  UploadBudget budget;
+  while (true) {
+    if (!coming_) take(maker_.take());
+    if (!coming_) return !busy;
+    if (!upload(budget)) return false;
+  }
 }
 
-void TerrainRenderer::make_shore() {
-  const Terrain& terrain = snapshot_->terrain();
-  shore_of_ = snapshot_->hydrology;
-  shore_.scale = line_field_scale(terrain.height.width(), terrain.height.height(), longest_lines);
-  shore_.codes = shore_of_ ? shore_field(terrain, *shore_of_, shore_.scale)
-                           : Grid<std::uint8_t>(terrain.height.width() * shore_.scale, terrain.height.height() * shore_.scale, 0);
-}
-
-void TerrainRenderer::make_lines() {
-  lines_stale_ = false;
-  const Terrain& terrain = snapshot_->terrain();
-  const bool fits = shore_.codes.width() == terrain.height.width() * shore_.scale && shore_.codes.height() == terrain.height.height() * shore_.scale;
-  if (!fits || shore_.codes.empty() || shore_of_ != snapshot_->hydrology) make_shore();
-  const int scale = shore_.scale;
-  const Grid<std::uint8_t>& shore = shore_.codes;
-  const int width = shore.width();
-  const int height = shore.height();
-  const Grid<std::uint8_t> wear =
-      snapshot_->trails ? wear_field(terrain, *snapshot_->trails, scale) : Grid<std::uint8_t>(width, height, 0);
-  near_water_ = Grid<std::uint8_t>((terrain.height.width() + patch_cells - 1) / patch_cells,
-                                   (terrain.height.height() + patch_cells - 1) / patch_cells, 0);
-  std::vector<std::uint8_t> both(shore.size() * 2);
-  for (std::size_t i = 0; i < shore.size(); ++i) {
-    both[2 * i] = shore[i];
-    both[2 * i + 1] = wear[i];
-  }
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      if (shore(x, y) > 0) near_water_(x / scale / patch_cells, (terrain.height.height() - 1 - y / scale) / patch_cells) = 1;
-    }
-  }
-  lines_ = make_texture_2d(GL_RG8, width, height, 0, mirrored_mipmapped);
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTextureSubImage2D(lines_.name(), 0, 0, 0, width, height, GL_RG, GL_UNSIGNED_BYTE, both.data());
-  glGenerateTextureMipmap(lines_.name());
-}
-
-std::vector<Rect> TerrainRenderer::changed_texels() const {
-  std::vector<Rect> changed;
-  if (snapshot_->cover.empty() || coloured_ == snapshot_) return changed;
-  // All covers have the terrain's size, so a tile's number means the same place in each.
-  const auto sized =
-      std::find_if(snapshot_->cover.begin(), snapshot_->cover.end(), [](const auto& map) { return map != nullptr; });
-  if (sized == snapshot_->cover.end()) return changed;
-  for (std::size_t tile = 0; tile < (*sized)->tile_count(); ++tile) {
-    bool differs = false;
-    for (std::size_t i = 0; i < snapshot_->cover.size() && !differs; ++i) {
-      const auto& now = snapshot_->cover[i];
-      const auto& then = coloured_->cover[i];
-      if (now == then) continue;
-      differs = !now || !then || now->tile_count() != then->tile_count() || now->tile(tile) != then->tile(tile);
-    }
-    if (!differs) continue;
-    const Rect cells = (*sized)->tile_rect(tile);
-    changed.push_back(intersection(
-        {cells.x0 / stride_, cells.y0 / stride_, (cells.x1 + stride_ - 1) / stride_, (cells.y1 + stride_ - 1) / stride_},
-        colours_.ground.rect()));
-  }
-  return changed;
-}
-
-void TerrainRenderer::colour(const TerrainLook& look) {
-  const bool all = colours_stale_ || !coloured_ || coloured_month_ != look.month || coloured_visible_ != look.visible;
-  const Grid<float>& height = snapshot_->terrain().height;
-  const int width = height.width() / stride_;
-  const int rows = height.height() / stride_;
-  if (all && (!ground_ || colours_.ground.width() != width || colours_.ground.height() != rows)) {
-    colours_ = {stride_, Grid<Rgba>(width, rows), Grid<Rgba>(width, rows)};
-    ground_ = make_texture_2d(GL_RGBA8, width, rows, 0, mirrored_mipmapped);
-    canopy_ = make_texture_2d(GL_RGBA8, width, rows, 0, mirrored_mipmapped);
-  }
-  const std::vector<Rect> stale = all ? std::vector<Rect>{Rect{0, 0, width, rows}} : changed_texels();
-  for (const Rect& texels : stale) {
-    colour_ground(*snapshot_, look.month, look.visible, texels, colours_);
-    upload_colours(texels);
-  }
-  if (!stale.empty()) {
-    glGenerateTextureMipmap(ground_.name());
-    glGenerateTextureMipmap(canopy_.name());
-  }
-  coloured_ = snapshot_;
-  coloured_month_ = look.month;
-  coloured_visible_ = look.visible;
-  colours_stale_ = false;
-}
-
-void TerrainRenderer::upload_colours(const Rect& texels) {
-  glPixelStorei(GL_UNPACK_ROW_LENGTH, colours_.ground.width());
-  glTextureSubImage2D(ground_.name(), 0, texels.x0, texels.y0, texels.width(), texels.height(), GL_RGBA, GL_UNSIGNED_BYTE,
-                      &colours_.ground(texels.x0, texels.y0));
-  glTextureSubImage2D(canopy_.name(), 0, texels.x0, texels.y0, texels.width(), texels.height(), GL_RGBA, GL_UNSIGNED_BYTE,
-                      &colours_.canopy(texels.x0, texels.y0));
-  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-}
-
-void TerrainRenderer::shade(const glm::vec3& light_direction) {
-  shade_stale_ = false;
-  shaded_light_ = light_direction;
-  const double cell = snapshot_->terrain().width_metres() / thin_surface_.width();
-  const Grid<std::uint8_t> lit = sweep_shadows(thin_surface_, cell, light_direction, 1.0F + 0.35F * float(cell));
-  sunlit_ = make_texture_2d(GL_R8, lit.width(), lit.height(), 1, mirrored);
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTextureSubImage2D(sunlit_.name(), 0, 0, 0, lit.width(), lit.height(), GL_RED, GL_UNSIGNED_BYTE, lit.cells().data());
+void TerrainRenderer::finish(const TerrainLook& look, const glm::vec3& light_direction) {
+  ask(look, light_direction);
+  maker_.wait_idle();
+  UploadBudget budget = UploadBudget::unlimited();
+  do {
+    if (coming_) upload(budget);
+    take(maker_.take());
+  } while (coming_);
 }
 
 void TerrainRenderer::bind_shared() const {
@@ -235,7 +125,7 @@ void TerrainRenderer::bind_shared() const {
 }
 
 DrawCount TerrainRenderer::draw(const TerrainLook& look, const glm::dvec3& eye, const Frustum& frustum) const {
-  const Terrain& terrain = snapshot_->terrain();
+  const Terrain& terrain = shown_->terrain();
   PatchSettings settings;
   settings.patch_cells = patch_cells;
   settings.range_factor = std::clamp(4.2F * look.quality, 3.0F, 9.0F);
@@ -244,7 +134,7 @@ DrawCount TerrainRenderer::draw(const TerrainLook& look, const glm::dvec3& eye, 
   // Coarse grids are drawn with finer quads than their cells, so that the ground is where ground_height says it is.
   settings.finest_side = patch_cells * std::min(terrain.cell_size, coarsest_quad);
   std::array<std::vector<GroundPatch>, 4> by_variant;
-  for (const GroundPatch& patch : select_patches(settings, bounds_, eye, frustum)) {
+  for (const GroundPatch& patch : select_patches(settings, shown_->shape->bounds, eye, frustum)) {
     by_variant[std::size_t(variant(patch, look, eye))].push_back(patch);
   }
   std::vector<GroundPatch> patches;
@@ -273,20 +163,21 @@ DrawCount TerrainRenderer::draw(const TerrainLook& look, const glm::dvec3& eye, 
 
 int TerrainRenderer::variant(const GroundPatch& patch, const TerrainLook& look, const glm::dvec3& eye) const {
   const glm::vec2 middle(patch.west + 0.5F * patch.side, patch.south + 0.5F * patch.side);
-  const glm::vec2 heights = bounds_.of(patch.west, patch.south, patch.side);
+  const glm::vec2 heights = shown_->shape->bounds.of(patch.west, patch.south, patch.side);
   const glm::vec3 offset = glm::vec3(middle, 0.5F * (heights.x + heights.y)) - glm::vec3(eye);
   const float farthest = glm::length(offset) + glm::length(glm::vec3(patch.side, patch.side, heights.y - heights.x)) * 0.5F;
   const bool canopy = look.canopy_strength > 0 && farthest > look.canopy_from;
   bool water = false;
   if (look.water) {
-    const float square = patch_cells * float(snapshot_->terrain().cell_size);
+    const Grid<std::uint8_t>& near_water = shown_->lines->near_water;
+    const float square = patch_cells * float(shown_->terrain().cell_size);
     const int x0 = int(std::floor(patch.west / square + 0.5F));
     const int y0 = int(std::floor(patch.south / square + 0.5F));
     const int count = std::max(1, int(std::lround(patch.side / square)));
     // Beyond the border the ground is mirrored: there every patch counts as wet.
-    water = x0 < 0 || y0 < 0 || x0 + count > near_water_.width() || y0 + count > near_water_.height();
+    water = x0 < 0 || y0 < 0 || x0 + count > near_water.width() || y0 + count > near_water.height();
     for (int y = y0; y < y0 + count && !water; ++y) {
-      for (int x = x0; x < x0 + count && !water; ++x) water = near_water_(x, y) != 0;
+      for (int x = x0; x < x0 + count && !water; ++x) water = near_water(x, y) != 0;
     }
   }
   return (water ? 1 : 0) + (canopy ? 2 : 0);

@@ -6,9 +6,9 @@
 
 #include "render/frame.hpp"
 #include "render/gl_objects.hpp"
-#include "render/ground_maps.hpp"
-#include "render/line_field.hpp"
+#include "render/ground_maker.hpp"
 #include "render/shader_program.hpp"
+#include "render/streamed_texture.hpp"
 #include "render/terrain_mesh.hpp"
 
 namespace biotope {
@@ -33,64 +33,52 @@ struct DrawCount {
   std::size_t triangles = 0;
 };
 
-/// Draws the ground with its water and trails. Textures are made from the snapshot, and made again only where it changed.
+/// Draws the ground with its water and trails. Its picture is made on a thread of its own and uploaded a piece a frame; the one
+/// before stays in sight until then.
 class TerrainRenderer {
  public:
   [[nodiscard]] static Result<std::unique_ptr<TerrainRenderer>> create();
 
-  void set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot);
-  /// Brings the textures up to date with snapshot, season and light. Call before draw, with a snapshot set. A new ground is made whole at once;
-  /// what trails, water and plants change comes one piece a call, so that no frame waits for all of it. False while pieces are left.
+  void set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot) { snapshot_ = std::move(snapshot); }
+  /// Asks for the picture of snapshot, season and light, and uploads what is there of it, for a few milliseconds. Call before
+  /// draw, with a snapshot set. True when the picture shown is the one that was asked for.
   bool prepare(const TerrainLook& look, const glm::vec3& light_direction);
-  /// Makes the next prepare() bring everything up to date.
-  void prepare_whole() { whole_ = true; }
+  /// The same, but waits until all of it is there.
+  void finish(const TerrainLook& look, const glm::vec3& light_direction);
+  /// True when the picture shown covers the snapshot's ground: then the functions below may be called.
+  [[nodiscard]] bool ready() const { return shown_ && snapshot_ && same_extent(shown_->terrain(), snapshot_->terrain()); }
   DrawCount draw(const TerrainLook& look, const glm::dvec3& eye, const Frustum& frustum) const;
 
   /// Binds height and sunlight textures (units 0 and 6), which plants and animals read too.
   void bind_shared() const;
   /// The tileable noise texture.
   [[nodiscard]] GLuint detail() const { return detail_.name(); }
+  /// The picture in sight; null before the first.
+  [[nodiscard]] const std::shared_ptr<const GroundPicture>& shown() const { return shown_; }
   /// Ground as it is drawn, m.
-  [[nodiscard]] const Grid<float>& surface() const { return surface_; }
-  [[nodiscard]] glm::vec2 height_range() const { return bounds_.whole(); }
+  [[nodiscard]] const Grid<float>& surface() const { return shown_->shape->surface; }
+  [[nodiscard]] glm::vec2 height_range() const { return shown_->shape->bounds.whole(); }
   /// Unit that holds the shade of crowns (bound by whoever draws it).
   static constexpr GLuint canopy_shade_unit = 7;
 
  private:
   TerrainRenderer() = default;
   void make_patch();
-  void make_surface();
-  void make_lines();
-  void make_shore();
-  void colour(const TerrainLook& look);
-  void upload_colours(const Rect& texels);
-  void shade(const glm::vec3& light_direction);
-  [[nodiscard]] std::vector<Rect> changed_texels() const;
+  void ask(const TerrainLook& look, const glm::vec3& light_direction);
+  void take(std::shared_ptr<const GroundPicture> picture);
+  /// True when all of the picture that is coming in was uploaded; it is then shown.
+  bool upload(UploadBudget& budget);
   [[nodiscard]] int variant(const GroundPatch& patch, const TerrainLook& look, const glm::dvec3& eye) const;
   void set_look(const ShaderProgram& program, const TerrainLook& look) const;
 
-  std::shared_ptr<const MapsSnapshot> snapshot_;
-  /// The snapshot whose covers the colours show.
-  std::shared_ptr<const MapsSnapshot> coloured_;
-  bool whole_ = true;
-  bool surface_stale_ = true;
-  bool shade_stale_ = true;
-  bool lines_stale_ = true;
-  bool colours_stale_ = true;
-  int coloured_month_ = -1;
-  SpeciesVisibility coloured_visible_;
-  glm::vec3 shaded_light_{0};
+  static constexpr Sampling mirrored_mipmapped{GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_MIRRORED_REPEAT};
+  static constexpr Sampling mirrored{GL_LINEAR, GL_LINEAR, GL_MIRRORED_REPEAT};
 
-  int stride_ = 1;
-  Grid<float> surface_;
-  Grid<float> thin_surface_;
-  /// Where water is drawn, kept while the water stays: trails change far more often.
-  ShoreMap shore_;
-  std::shared_ptr<const Hydrology> shore_of_;
-  HeightBounds bounds_;
-  GroundColours colours_;
-  /// Squares of patch_cells cells with water in them or near, counted from the south-west.
-  Grid<std::uint8_t> near_water_;
+  std::shared_ptr<const MapsSnapshot> snapshot_;
+  std::optional<GroundRequest> asked_;
+  std::shared_ptr<const GroundPicture> shown_;
+  /// Made, and being uploaded.
+  std::shared_ptr<const GroundPicture> coming_;
   /// By variant: 1 when water may be near, 2 when crowns are painted on the ground.
   std::array<ShaderProgram, 4> programs_;
   VertexArray patch_array_;
@@ -98,13 +86,14 @@ class TerrainRenderer {
   Buffer patch_indices_;
   Buffer patch_instances_;
   GLsizei patch_index_count_ = 0;
-  Texture heights_;
-  Texture normals_;
-  Texture ground_;
-  Texture canopy_;
-  Texture lines_;
-  Texture sunlit_;
+  StreamedTexture<float> heights_{mirrored};
+  StreamedTexture<Rgba> normals_{mirrored_mipmapped};
+  StreamedTexture<Rgba> ground_{mirrored_mipmapped};
+  StreamedTexture<Rgba> canopy_{mirrored_mipmapped};
+  StreamedTexture<Rg> lines_{mirrored_mipmapped};
+  StreamedTexture<std::uint8_t> sunlit_{mirrored};
   Texture detail_;
+  GroundMaker maker_;
 };
 
 }  // namespace biotope

@@ -20,7 +20,8 @@ glm::dvec2 metres_of(const Terrain& terrain, Spot spot) {
   return {(spot.x + 0.5) * terrain.cell_size, (terrain.height.height() - 0.5 - spot.y) * terrain.cell_size};
 }
 
-/// A ford or piece of river in the inner part of the map, preferring much water, open ground and gentle banks; the middle when there is no water.
+/// A ford or piece of river in the inner part of the map, preferring much water, open ground and gentle banks; the middle when
+/// there is no water.
 Spot water_spot(const MapsSnapshot& snapshot) {
   const Terrain& terrain = snapshot.terrain();
   const int width = terrain.height.width();
@@ -110,12 +111,21 @@ Camera first_view(const MapsSnapshot& snapshot) {
 Camera overview(const MapsSnapshot& snapshot) {
   const Terrain& terrain = snapshot.terrain();
   const double side = std::max(terrain.width_metres(), terrain.height_metres());
-  const auto [low, high] = std::minmax_element(terrain.height.cells().begin(), terrain.height.cells().end());
+  // On a large terrain every few cells tell its heights well enough, and without a halt.
+  const int step = std::max(1, std::max(terrain.height.width(), terrain.height.height()) / 1024);
+  float low = terrain.height(0, 0);
+  float high = low;
+  for (int y = 0; y < terrain.height.height(); y += step) {
+    for (int x = 0; x < terrain.height.width(); x += step) {
+      low = std::min(low, terrain.height(x, y));
+      high = std::max(high, terrain.height(x, y));
+    }
+  }
   Camera camera;
   camera.heading = 0;
   camera.pitch = -38;
   camera.vertical_field = 45;
-  camera.position = {0.5 * terrain.width_metres(), 0.5 * terrain.height_metres() - 0.86 * side, 0.5 * (*low + *high) + 0.72 * side};
+  camera.position = {0.5 * terrain.width_metres(), 0.5 * terrain.height_metres() - 0.86 * side, 0.5 * (low + high) + 0.72 * side};
   return camera;
 }
 

@@ -29,6 +29,17 @@ glm::vec3 ray_through(const Camera& camera, PixelPoint canvas, PixelPoint pixel)
   return glm::normalize(forward + right * x + up * y);
 }
 
+std::optional<PixelPoint> pixel_of(const Camera& camera, PixelPoint canvas, const glm::dvec3& place) {
+  const glm::dvec3 offset = place - camera.position;
+  const glm::dvec3 forward(camera.forward());
+  const glm::dvec3 right(camera.right());
+  const double away = glm::dot(offset, forward);
+  if (away < 0.1) return std::nullopt;
+  const double scale = canvas.y / 2 / (away * std::tan(camera.vertical_field * 0.5 * radians_a_degree));
+  return PixelPoint{canvas.x / 2 + glm::dot(offset, right) * scale,
+                    canvas.y / 2 - glm::dot(offset, glm::cross(right, forward)) * scale};
+}
+
 Camera turned(const Camera& camera, float right, float up) {
   Camera next = camera;
   next.heading = heading_of(camera.heading + right);
@@ -77,6 +88,12 @@ Camera kept_over_ground(const Camera& camera, const Terrain& terrain, double cle
 
 PathPoint cell_of(const Terrain& terrain, const glm::dvec3& place) {
   return {float(place.x / terrain.cell_size - 0.5), float((terrain.height_metres() - place.y) / terrain.cell_size - 0.5)};
+}
+
+glm::dvec3 place_of(const Terrain& terrain, PathPoint cell) {
+  const double x = (double(cell.x) + 0.5) * terrain.cell_size;
+  const double y = terrain.height_metres() - (double(cell.y) + 0.5) * terrain.cell_size;
+  return {x, y, double(ground_height(terrain, x, y))};
 }
 
 }  // namespace biotope

@@ -10,6 +10,8 @@ namespace biotope {
 
 /// Direction of the ray through a pixel of a canvas.
 [[nodiscard]] glm::vec3 ray_through(const Camera& camera, PixelPoint canvas, PixelPoint pixel);
+/// Pixel of a place in metres; nothing when it lies behind the camera.
+[[nodiscard]] std::optional<PixelPoint> pixel_of(const Camera& camera, PixelPoint canvas, const glm::dvec3& place);
 /// Turned in place by degrees; pitch is kept within what is not upside down.
 [[nodiscard]] Camera turned(const Camera& camera, float right, float up);
 /// Carried around a point by degrees, looking at it as before.
@@ -21,5 +23,6 @@ namespace biotope {
 
 /// Cell coordinates of a place in metres, and back.
 [[nodiscard]] PathPoint cell_of(const Terrain& terrain, const glm::dvec3& place);
+[[nodiscard]] glm::dvec3 place_of(const Terrain& terrain, PathPoint cell);
 
 }  // namespace biotope

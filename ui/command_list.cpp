@@ -3,6 +3,8 @@
 #include "ui/commands.hpp"
 #include "ui/editor_actions.hpp"
 #include "ui/icons.hpp"
+#include "ui/painting_commands.hpp"
+#include "ui/recording_commands.hpp"
 
 namespace biotope {
 namespace {
@@ -40,6 +42,7 @@ void add_file(std::vector<EditorCommand>& list) {
   list.push_back(plain("file.save_as", "File", "Save as ...", "Ctrl+Shift+S", "Save the scene under another name", icons::save,
                        [](EditorState& s) { s.dialogs.save_file = true; }));
   list.back().enabled = has_document;
+  add_recording_commands(list);
   list.push_back(plain("file.screenshot", "File", "Screenshot", "F12", "Write the window to a PNG in your pictures folder",
                        icons::camera, [](EditorState& s) { s.wants_screenshot = true; }));
   with_line(list.back());
@@ -55,27 +58,6 @@ void add_edit(std::vector<EditorCommand>& list) {
   list.push_back(plain("edit.redo", "Edit", "Redo", "Ctrl+Shift+Z", "Do again what was taken back", icons::redo, redo));
   list.back().enabled = [](const EditorState& s) { return s.history.can_redo(); };
   list.back().repeats = true;
-  struct ToolRow {
-    const char* id;
-    const char* name;
-    const char* keys;
-    const char* tooltip;
-    const char* icon;
-    Tool tool;
-  };
-  for (const ToolRow& row :
-       {ToolRow{"tool.select", "Select", "V", "Click to ask why the selected species is, or is not, here", icons::pointer,
-                Tool::select},
-        ToolRow{"tool.brush", "Paint", "B", "Paint more of the selected species or resource", icons::brush, Tool::add},
-        ToolRow{"tool.erase", "Erase", "E", "Paint less of the selected species or resource", icons::eraser, Tool::erase},
-        ToolRow{"tool.smooth", "Smooth", "S", "Even out what is under the brush", icons::smooth, Tool::smooth},
-        ToolRow{"tool.restore", "Restore computed", "R", "Give the computed map back under the brush", icons::restore,
-                Tool::restore}}) {
-    list.push_back(
-        plain(row.id, "Edit", row.name, row.keys, row.tooltip, row.icon, [tool = row.tool](EditorState& s) { s.tool = tool; }));
-    list.back().checked = [tool = row.tool](const EditorState& s) { return s.tool == tool; };
-    list.back().line_before = row.tool == Tool::select;
-  }
 }
 
 void add_brush(std::vector<EditorCommand>& list) {
@@ -138,6 +120,8 @@ void add_view(std::vector<EditorCommand>& list) {
   add_switch(list, "view.hatch", "Hatch what is painted", "", "Mark where the map has been painted", &EditorView::hatch);
   add_switch(list, "view.iso_lines", "Iso-lines of the map", "I", "Draw lines of equal value of the map over the terrain",
              &EditorView::iso_lines);
+  add_switch(list, "view.food_chain", "Food chain", "F4",
+             "Levels, species, what flows between them, and what the last edit changed", &EditorView::food_chain);
   for (int tab = 0; tab < tab_count; ++tab) {
     list.push_back(plain("tab." + std::to_string(tab + 1), "View", std::string(tab_title(Tab(tab))), std::to_string(tab + 1),
                          std::string("Go to the tab ") + std::string(tab_title(Tab(tab))), "",
@@ -186,6 +170,7 @@ std::vector<EditorCommand> editor_commands() {
   std::vector<EditorCommand> list;
   add_file(list);
   add_edit(list);
+  add_painting_commands(list);
   add_brush(list);
   add_view(list);
   add_simulation(list);

@@ -1,6 +1,7 @@
 #include "ui/dialogs.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/terrain/synthetic.hpp"
 #include "ui/editor_actions.hpp"
@@ -65,8 +66,10 @@ void draw_unsaved(const UiContext& ui) {
       state.dialogs.unsaved = false;
       state.dialogs.save_file = true;
     } else {
+      // What waited goes on once the scene is on the disk.
+      state.after_saved = std::exchange(state.after_unsaved, {});
+      state.dialogs.unsaved = false;
       save(state);
-      go_on(state);
     }
     ImGui::CloseCurrentPopup();
   }
@@ -191,6 +194,11 @@ void draw_settings_dialog(const UiContext& ui) {
     state.theme_changed = true;
   }
   labelled_slider(ui.theme, "Detail of the 3D view", settings.quality, 0.25F, 2, format_percent(settings.quality));
+  auto undo_memory = float(settings.history_megabytes);
+  if (labelled_slider(ui.theme, "Memory for undo", undo_memory, 128, 8192,
+                      format_bytes(std::size_t(settings.history_megabytes) << 20))) {
+    settings.history_megabytes = int(undo_memory);
+  }
   hint(ui.theme,
        "Shortcuts can be changed in " + state.settings_file.string() + ", under \"shortcuts\": {\"tool.brush\": \"P\"}.");
   ImGui::Dummy(ImVec2(0, ui.theme.px(6)));
@@ -212,6 +220,9 @@ void draw_dialogs(const UiContext& ui) {
   }
   draw_palette(ui);
   draw_file_dialogs(ui);
+  draw_file_request(ui);
+  draw_playing(ui);
+  draw_select_range(ui);
   draw_shortcut_list(ui);
   draw_settings_dialog(ui);
   draw_sample_list(ui);

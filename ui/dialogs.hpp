@@ -12,6 +12,9 @@ void draw_shortcut_list(const UiContext& ui);
 void draw_settings_dialog(const UiContext& ui);
 void draw_sample_list(const UiContext& ui);
 void draw_first_steps(const UiContext& ui);
+void draw_file_request(const UiContext& ui);
+void draw_playing(const UiContext& ui);
+void draw_select_range(const UiContext& ui);
 
 /// Opens (once) and begins a centred modal; end with ImGui::EndPopup. `open` is the flag in OpenDialogs, cleared when the modal
 /// closes.

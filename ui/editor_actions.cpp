@@ -2,42 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "core/exchange/open_input.hpp"
 #include "core/exchange/scene_file.hpp"
-#include "ui/activity_curve.hpp"
+#include "ui/edit_actions.hpp"
+#include "ui/landscape_figures.hpp"
+#include "ui/layer_actions.hpp"
+#include "ui/tool_gestures.hpp"
 
 namespace biotope {
 namespace {
 
-constexpr std::size_t most_named_routes = 12;
-
-void measure_terrain(EditorState& state) {
-  const Terrain& terrain = *state.document.terrain;
-  const auto heights = terrain.height.cells();
-  const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
-  state.height_range = heights.empty() ? std::array<float, 2>{} : std::array<float, 2>{*low, *high};
-  const auto filled = std::count(terrain.voids.cells().begin(), terrain.voids.cells().end(), std::uint8_t(1));
-  state.void_share = terrain.voids.empty() ? 0 : double(filled) / double(terrain.voids.size());
-}
-
-void measure_water(EditorState& state) {
-  if (!state.shown || state.shown->hydrology == state.water_of) return;
-  state.water_of = state.shown->hydrology;
-  state.water = {};
-  if (!state.water_of) return;
-  const double area = state.shown->terrain().cell_area();
-  for (const WaterKind kind : state.water_of->water.cells()) {
-    state.water.lake_area += kind == WaterKind::lake ? area : 0;
-    state.water.sea_area += kind == WaterKind::sea ? area : 0;
-  }
-  for (const RiverReach& reach : state.water_of->reaches)
-    state.water.discharge = std::max(state.water.discharge, reach.discharge);
-}
+/// Marks a document that is not on the disk, whatever its edits.
+constexpr std::uint64_t never_saved = std::numeric_limits<std::uint64_t>::max();
 
 void set_document(EditorState& state, Document document) {
   state.document = std::move(document);
-  measure_terrain(state);
   state.has_document = true;
   state.history.clear();
   state.edits = state.saved_edits = 0;
@@ -50,13 +32,21 @@ void set_document(EditorState& state, Document document) {
   state.view.visible_species.clear();
   state.selected_species = -1;
   state.also_selected.clear();
-  state.companions.close();
-  state.companion_grounds.clear();
+  state.grounds.clear();
+  drop_pending_edits(state);
+  state.player.task.cancel();
+  state.recorder.stop();
+  state.edit_listener = {};
+  state.importing.cancel();
+  state.gesture.reset();
+  state.paint.last_point.reset();
+  state.paint.clone_at.reset();
   state.dragged_value.reset();
   state.dragged_climate.reset();
   state.counting.cancel();
-  state.preparing.cancel();
+  state.figures_of.reset();
   state.figures.clear();
+  state.changes.forget();
   state.shortages.clear();
   // The ground is shown at once; what lives on it follows.
   auto bare = std::make_shared<MapsSnapshot>();
@@ -71,6 +61,8 @@ void finish_loading(EditorState& state) {
   std::optional<Result<Document>> loaded = state.loading.take();
   if (!loaded) return;
   if (!*loaded) {
+    // What could not be opened is not rescued yet: it stays on the disk and is offered the next time.
+    if (what == state.recovery_file) state.recovery_file.clear();
     if (loaded->error().message == "stopped") return;
     complain(state, "This could not be opened", loaded->error());
     // A terrain may only need to be told its cell size or layout: the import preview asks for them.
@@ -87,6 +79,7 @@ void finish_loading(EditorState& state) {
   set_document(state, std::move(**loaded));
   if (what == state.recovery_file) {
     state.edits = 1;  // rescued work is not saved yet
+    state.rescued = true;
   } else {
     remember_recent(state.settings, what);
   }
@@ -95,11 +88,20 @@ void finish_loading(EditorState& state) {
 void finish_saving(EditorState& state) {
   std::optional<Result<bool>> saved = state.saving.take();
   if (!saved) return;
+  auto then = std::exchange(state.after_saved, {});
+  const bool again = std::exchange(state.save_again, false);
   if (!*saved) {
+    state.saved_edits = never_saved;
     complain(state, "The scene was not saved", saved->error());
     return;
   }
   announce(state, "Saved " + state.scene_file.filename().string());
+  if (again) {
+    state.after_saved = std::move(then);
+    save(state);
+  } else if (then) {
+    then(state);
+  }
 }
 
 /// Takes the worker's newest snapshots, if they are of this landscape.
@@ -116,25 +118,14 @@ void take_snapshots(EditorState& state) {
   if (!newest->status && !failed_before) complain(state, "The landscape could not be computed", newest->status.error());
 }
 
-/// Figures of the species list follow the newest landscape, one count at a time.
-void count_species(EditorState& state) {
-  if (auto counted = state.counting.take(); counted && *counted) {
-    state.figures = std::move((*counted)->figures);
-    state.shortages = std::move((*counted)->shortages);
-  }
-  if (state.counting.running() || !state.shown || state.shown == state.figures_of) return;
-  state.figures_of = state.shown;
-  state.counting.start("Counting", [snapshot = state.shown](const TaskContext&) -> Result<EditorState::SpeciesCount> {
-    return EditorState::SpeciesCount{species_figures(*snapshot), shortage_maps(*snapshot)};
-  });
-}
-
 /// The stroke's own picture goes when the worker's map of the same paint is there.
 void retire_paint_picture(EditorState& state) {
   if (state.painting.stroking() || !state.painting.shown() || state.painting.awaited() == 0 || !state.newest ||
       !state.newest->web)
     return;
   if (state.newest->document_revision < state.painting.awaited()) return;
+  // As long as the map under the paint is the same, the picture is what the worker's map would be.
+  if (state.painting.source() == computed_source(*state.newest, state.painting.layer())) return;
   const MapId map = map_of_layer(state.painting.layer(), *state.newest->web);
   const bool animal = map.kind == MapKind::animal_density;
   if (animal && !state.newest->complete) return;
@@ -148,6 +139,11 @@ void open(EditorState& state, const std::string& input, const DemImportOptions& 
 }
 
 void unless_unsaved(EditorState& state, std::function<void(EditorState&)> then) {
+  if (!state.dirty() && state.saving.running()) {
+    // Whether the scene is saved is not known yet.
+    state.after_saved = std::move(then);
+    return;
+  }
   if (!state.dirty()) {
     then(state);
     return;
@@ -183,6 +179,10 @@ void save_as(EditorState& state, std::filesystem::path file) {
   state.scene_file = file;
   state.settings.last_folder = file.parent_path().string();
   remember_recent(state.settings, file.string());
+  if (state.saving.running()) {
+    state.save_again = true;
+    return;
+  }
   state.saved_edits = state.edits;
   state.saving.start("Saving", [file, document = state.document](const TaskContext&) -> Result<bool> {
     const Status saved = save_scene(file, document);
@@ -191,26 +191,30 @@ void save_as(EditorState& state, std::filesystem::path file) {
   });
 }
 
-void change_document(EditorState& state, std::string name, const std::function<void(Document&)>& change) {
+void change_document(EditorState& state, const std::string& name, const std::function<void(Document&)>& change) {
   if (!state.has_document) return;
   Document after = state.document;
   change(after);
-  state.history.perform(state.document, std::make_unique<DocumentCommand>(std::move(name), state.document, std::move(after)));
+  state.history.perform(state.document, std::make_unique<DocumentCommand>(name, state.document, std::move(after)));
   ++state.edits;
   state.must_post = true;
+  state.painting.follow(state.document);
+  recorded(state, PartsEdit{name, change});
 }
 
 void undo(EditorState& state) {
-  if (state.painting.stroking() || !state.history.undo(state.document)) return;
+  if (tool_active(state) || !state.history.undo(state.document)) return;
   ++state.edits;
-  state.painting.close();
+  state.recorder.record_undo(state.document, history_step(state));
+  state.painting.follow(state.document);
   state.must_post = true;
 }
 
 void redo(EditorState& state) {
-  if (state.painting.stroking() || !state.history.redo(state.document)) return;
+  if (tool_active(state) || !state.history.redo(state.document)) return;
   ++state.edits;
-  state.painting.close();
+  state.recorder.record_redo(state.document, history_step(state));
+  state.painting.follow(state.document);
   state.must_post = true;
 }
 
@@ -252,78 +256,11 @@ void complain(EditorState& state, std::string title, const Error& error) {
   state.messages.push_back({std::move(title), error.message});
 }
 
-void select_species(EditorState& state, int species) {
-  state.selected_species = species;
-  state.also_selected.clear();
-  const FoodWeb* web = state.web();
-  if (web == nullptr || species < 0 || species >= int(web->species.size())) return;
-  const bool plant = web->species[std::size_t(species)].is_plant();
-  const Tab tab = plant ? Tab::plants : Tab::animals;
-  MapId& map = state.view.shown[std::size_t(tab)];
-  // The kind of map that was looked at is kept, so that fitness can be compared from species to species.
-  const bool keeps_kind = map.kind != MapKind::none && map.kind != MapKind::group_cover;
-  map = {keeps_kind ? map.kind : plant ? MapKind::plant_cover : MapKind::animal_density, species};
-}
-
-void toggle_species(EditorState& state, int species) {
-  const FoodWeb* web = state.web();
-  if (web == nullptr || species < 0 || species >= int(web->species.size())) return;
-  const int selected = state.selected_species;
-  const bool alone = selected < 0 || selected >= int(web->species.size()) ||
-                     web->species[std::size_t(selected)].is_plant() != web->species[std::size_t(species)].is_plant();
-  if (alone) {
-    select_species(state, species);
-  } else if (species == selected) {
-    if (state.also_selected.empty()) return;
-    // Another of the group takes its place.
-    std::set<int> others = state.also_selected;
-    const int next = *others.begin();
-    others.erase(next);
-    select_species(state, next);
-    state.also_selected = std::move(others);
-  } else if (state.also_selected.erase(species) == 0) {
-    state.also_selected.insert(species);
-  }
-}
-
-const MapId& shown_map(const EditorState& state) { return state.view.shown[std::size_t(state.view.tab)]; }
-
-MapId visible_map(const EditorState& state) {
-  MapId map = shown_map(state);
-  const bool monthly = map.kind == MapKind::illumination || map.kind == MapKind::temperature || map.kind == MapKind::moisture;
-  map.month = monthly && state.view.by_month ? state.clock.month : -1;
-  return map;
-}
-
-void show_map(EditorState& state, const MapId& map) {
-  state.view.shown[std::size_t(state.view.tab)] = map;
-  const FoodWeb* web = state.web();
-  if (web == nullptr) return;
-  const std::optional<LayerId> layer = layer_of_map(map, *web);
-  if (!layer || layer->kind == LayerKind::resource) return;
-  if (state.selected_species != map.item) state.also_selected.clear();
-  state.selected_species = map.item;
-}
-
-void ask_why(EditorState& state, int x, int y) {
-  if (!state.shown || !state.shown->document.terrain || !state.shown->terrain().height.contains(x, y)) return;
-  CellQuestion question{x, y, state.selected_species, std::nullopt, state.shown->revision};
-  const MapsSnapshot& snapshot = *state.shown;
-  const FoodWeb* web = snapshot.web.get();
-  if (web != nullptr && question.species >= 0 && question.species < int(web->species.size())) {
-    const bool plant = web->species[std::size_t(question.species)].is_plant();
-    if (plant && snapshot.environment && !snapshot.cover.empty()) {
-      question.answer = explain_plant(*web, snapshot.plant_environment(), question.species, snapshot.cover, x, y);
-    } else if (!plant) {
-      const AnimalPlace place = find_animal(snapshot, question.species);
-      if (place.level != nullptr) question.answer = explain_animal(*web, *place.level, question.species, snapshot.ground(), x, y);
-    }
-  }
-  state.question = std::move(question);
-}
-
 void update(EditorState& state, double now, double frame_seconds) {
   state.frame_seconds = float(frame_seconds);
+  const std::size_t undo_memory = std::size_t(state.settings.history_megabytes) << 20;
+  if (state.history.budget() != undo_memory) state.history.set_budget(undo_memory);
+  state.history.tidy();
   finish_loading(state);
   finish_saving(state);
   if (state.must_post && state.has_document) {
@@ -333,24 +270,17 @@ void update(EditorState& state, double now, double frame_seconds) {
   }
   take_snapshots(state);
   retire_paint_picture(state);
+  advance_playing(state);
+  advance_edits(state);
+  advance_layer_files(state);
   prepare_painting(state);
-  count_species(state);
-  measure_water(state);
-  if (state.shown && state.shown->plans != state.activity_of) {
-    state.activity_of = state.shown->plans;
-    state.activity = activity_curve(*state.shown);
-  }
-  if (state.shown && state.shown->trails != state.trail_figures_of) {
-    state.trail_figures_of = state.shown->trails;
-    state.trail_figures = state.trail_figures_of
-                              ? trail_figures(*state.trail_figures_of, state.shown->terrain().cell_size, most_named_routes)
-                              : TrailFigures{};
-  }
+  follow_landscape(state);
   if (state.clock.playing) {
     state.clock.hour = std::fmod(state.clock.hour + state.clock.speed * std::min(frame_seconds, 0.25), 24.0);
   }
   if (state.notice_until < 0) state.notice_until = now + 5;
   if (now > state.notice_until) state.notice.clear();
+  follow_pointer(state, now);
   if (state.question && state.shown && state.question->revision != state.shown->revision) {
     const CellQuestion asked = *state.question;
     ask_why(state, asked.x, asked.y);
@@ -358,8 +288,11 @@ void update(EditorState& state, double now, double frame_seconds) {
 }
 
 bool animates(const EditorState& state) {
-  return state.clock.playing || state.loading.running() || state.saving.running() || state.preparing.running() ||
-         state.maps.busy() || state.painting.stroking() || state.must_post || (state.worker && state.worker->progress().busy);
+  const bool works = state.loading.running() || state.saving.running() || state.grounds.busy() ||
+                     state.pending.making.running() || state.importing.running() || state.exporting.running() ||
+                     state.player.running() || state.player.saving.running();
+  return works || state.clock.playing || state.maps.busy() || state.painting.stroking() || state.must_post ||
+         (state.worker && state.worker->progress().busy);
 }
 
 }  // namespace biotope

@@ -25,7 +25,7 @@ void unless_unsaved(EditorState& state, std::function<void(EditorState&)> then);
 // Changing the document. Every change is one step of the history and is posted to the worker once a frame.
 
 /// Changes parameters: `change` edits a copy of the document.
-void change_document(EditorState& state, std::string name, const std::function<void(Document&)>& change);
+void change_document(EditorState& state, const std::string& name, const std::function<void(Document&)>& change);
 void undo(EditorState& state);
 void redo(EditorState& state);
 /// Goes to the place in the history where `position` steps are done.
@@ -60,6 +60,8 @@ void show_map(EditorState& state, const MapId& map);
 [[nodiscard]] MapId visible_map(const EditorState& state);
 /// Asks why the selected species is, or is not, at a cell.
 void ask_why(EditorState& state, int x, int y);
+/// Asks again where the pointer is, while the question follows it; not so often that the window would notice.
+void follow_pointer(EditorState& state, double now);
 /// What a person calls the open landscape: its file, its title or its terrain; empty when nothing is open.
 [[nodiscard]] std::string document_name(const EditorState& state);
 void announce(EditorState& state, std::string text);

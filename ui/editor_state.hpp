@@ -19,19 +19,28 @@
 #include "render/camera.hpp"
 #include "render/map_renderer.hpp"
 #include "ui/background_task.hpp"
+#include "ui/brush_presets.hpp"
+#include "ui/chain_changes.hpp"
+#include "ui/edit_player.hpp"
+#include "ui/edit_recorder.hpp"
 #include "ui/file_listing.hpp"
+#include "ui/file_request.hpp"
+#include "ui/herd_day.hpp"
 #include "ui/map_cache.hpp"
 #include "ui/map_catalogue.hpp"
+#include "ui/paint_grounds.hpp"
 #include "ui/paint_session.hpp"
+#include "ui/painting_state.hpp"
+#include "ui/pending_edits.hpp"
+#include "ui/placing_session.hpp"
 #include "ui/settings.hpp"
 #include "ui/shortcut.hpp"
 #include "ui/species_figures.hpp"
-#include "ui/stroke_group.hpp"
+#include "ui/tools.hpp"
 #include "ui/trail_figures.hpp"
 
 namespace biotope {
 
-enum class Tool : std::uint8_t { select, add, erase, smooth, restore };
 enum class ViewMode : std::uint8_t { map, landscape, split };
 
 /// The day that herds and light follow.
@@ -67,6 +76,9 @@ struct EditorView {
   bool plants = true;
   bool hatch = true;
   bool iso_lines = false;
+  bool food_chain = false;
+  /// 'Why?' follows the pointer instead of waiting for clicks.
+  bool why_follows = false;
   float opacity = 0.85F;
   std::vector<bool> visible_species;
 };
@@ -120,6 +132,15 @@ struct OpenDialogs {
   bool unsaved = false;
   bool recovery = false;
   bool first_steps = false;
+  bool select_range = false;
+};
+
+/// What the terrain panel says about the ground.
+struct GroundFigures {
+  /// Lowest and highest, m.
+  std::array<float, 2> height_range{};
+  /// Share of cells that were filled in.
+  double void_share = 0;
 };
 
 /// What the terrain panel says about water.
@@ -134,11 +155,9 @@ struct WaterFigures {
 struct EditorState {
   Document document;
   bool has_document = false;
-  /// Lowest and highest ground, and the share of cells that were filled in; of the open document.
-  std::array<float, 2> height_range{};
-  double void_share = 0;
+  /// Figures of the open landscape.
+  GroundFigures ground;
   WaterFigures water;
-  std::shared_ptr<const Hydrology> water_of;
   History history;
   /// Counts changes of the document; `saved_edits` is its value at the last save.
   std::uint64_t edits = 0;
@@ -156,26 +175,46 @@ struct EditorState {
   BackgroundTask<Document> loading;
   BackgroundTask<bool> saving;
   PaintSession painting;
-  BackgroundTask<PaintGround> preparing;
-  /// Grounds of the species that are painted beside the selected one, and the strokes over them.
-  std::map<LayerId, PaintGround> companion_grounds;
-  StrokeGroup companions;
+  PaintGrounds grounds;
+  PaintSetup paint;
+  /// The left button held for a tool that acts when it is let go.
+  std::optional<ToolGesture> gesture;
+  std::optional<CopiedPaint> copied;
+  PendingEdits pending;
+  BackgroundTask<ImageEdit> importing;
+  BackgroundTask<bool> exporting;
+  /// The person's own brushes, once they have been read.
+  std::optional<std::vector<BrushPreset>> presets;
+  /// Told of every edit once it is part of the history (a recorder).
+  std::function<void(EditorState&, const Edit&)> edit_listener;
+  EditRecorder recorder;
+  EditPlayer player;
 
   /// Figures of the species list and the snapshot they are of.
-  struct SpeciesCount {
-    std::vector<SpeciesFigures> figures;
+  struct LandscapeCount {
+    std::vector<SpeciesFigures> species;
     ShortageMaps shortages;
+    /// Absent: as before.
+    std::optional<GroundFigures> ground;
+    std::optional<WaterFigures> water;
+    std::optional<TrailFigures> trails;
+    std::optional<std::vector<float>> activity;
   };
-  BackgroundTask<SpeciesCount> counting;
+  BackgroundTask<LandscapeCount> counting;
   std::vector<SpeciesFigures> figures;
   ShortageMaps shortages;
   std::shared_ptr<const MapsSnapshot> figures_of;
+  /// What the last edit did to whom.
+  ChainChanges changes;
 
   /// Share of animals awake by half hour, of the plans they were made from.
   TrailFigures trail_figures;
-  std::shared_ptr<const TrailNetwork> trail_figures_of;
   std::vector<float> activity;
-  std::shared_ptr<const std::vector<DailyPlan>> activity_of;
+
+  /// Fords, rivers, trails ... being placed, drawn or moved.
+  PlacingSession placing;
+  /// The herd whose day is looked at.
+  HerdDay herd_day;
 
   EditorView view;
   EditorClock clock;
@@ -188,6 +227,7 @@ struct EditorState {
   /// Names of species that no brush may change.
   std::set<std::string> locked_species;
   std::optional<CellQuestion> question;
+  double ask_again_at = 0;
   /// A value being dragged in a panel that becomes one step of the history when it is let go.
   std::optional<float> dragged_value;
   /// The same for a month dragged in the climate diagram.
@@ -205,11 +245,19 @@ struct EditorState {
   double notice_until = 0;
   /// What waits for the answer to 'unsaved work?'.
   std::function<void(EditorState&)> after_unsaved;
+  /// What waits until the scene is on the disk; it does not happen when saving fails.
+  std::function<void(EditorState&)> after_saved;
+  /// Saving was asked for again while a save was running.
+  bool save_again = false;
   FileBrowser browser;
+  /// A file somebody is asked for.
+  std::optional<FileRequest> file_request;
   std::filesystem::path import_path;
   std::string palette_text;
   int palette_choice = 0;
   std::filesystem::path recovery_file;
+  /// The document came from `recovery_file`.
+  bool rescued = false;
 
   bool wants_close = false;
   bool wants_screenshot = false;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/panels/food_chain.hpp"
 #include "ui/parts.hpp"
 
 namespace biotope {
@@ -48,6 +49,7 @@ Result<std::unique_ptr<EditorWindow>> EditorWindow::create() {
 
 void EditorWindow::draw_views(const UiContext& ui, ImVec2 size) {
   EditorView& view = ui.state.view;
+  mode_ = view.mode;
   if (view.mode == ViewMode::map) {
     map_->draw(ui, size);
     return;
@@ -107,6 +109,7 @@ void EditorWindow::draw(const UiContext& ui) {
   draw_status_bar(ui, ImVec2(screen.x, status));
   ImGui::End();
 
+  draw_food_chain(ui);
   draw_dialogs(ui);
   if (ui.state.messages.empty()) import_.draw(ui);
   handle_shortcuts(ui, landscape_->takes_letters());

@@ -18,7 +18,10 @@ class EditorWindow {
   /// Between ImGui::NewFrame and ImGui::Render.
   void draw(const UiContext& ui);
   /// True while the pictures are not yet what they will be.
-  [[nodiscard]] bool refining() const { return landscape_->refining() || import_.busy(); }
+  [[nodiscard]] bool refining() const {
+    return (mode_ != ViewMode::landscape && map_->refining()) || (mode_ != ViewMode::map && landscape_->refining()) ||
+           import_.busy();
+  }
 
  private:
   EditorWindow(std::unique_ptr<MapCanvas> map, std::unique_ptr<LandscapeCanvas> landscape)
@@ -28,7 +31,8 @@ class EditorWindow {
   std::unique_ptr<MapCanvas> map_;
   std::unique_ptr<LandscapeCanvas> landscape_;
   ImportDialog import_;
-  float inspector_width_ = 320;  ///< at scale 1
+  ViewMode mode_ = ViewMode::split;  ///< drawn last
+  float inspector_width_ = 320;      ///< at scale 1
 };
 
 }  // namespace biotope

@@ -2,6 +2,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "ui/dialogs.hpp"
 #include "ui/editor_actions.hpp"
@@ -175,11 +176,9 @@ void draw_save(const UiContext& ui) {
   ImGui::EndPopup();
   if (cancelled) state.after_unsaved = {};
   if (!accepted) return;
+  // What waited for the answer goes on once the scene is on the disk.
+  state.after_saved = std::exchange(state.after_unsaved, {});
   save_as(state, file);
-  if (auto then = std::move(state.after_unsaved)) {
-    state.after_unsaved = {};
-    then(state);
-  }
 }
 
 }  // namespace

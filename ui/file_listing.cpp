@@ -24,6 +24,14 @@ bool looks_openable(std::string_view name) {
 }
 
 std::vector<FileEntry> list_folder(const std::filesystem::path& folder, bool scenes_only, std::string& problem) {
+  if (scenes_only)
+    return list_wanted(
+        folder, [](std::string_view name) { return lower(name).ends_with(".biotope"); }, problem);
+  return list_wanted(folder, looks_openable, problem);
+}
+
+std::vector<FileEntry> list_wanted(const std::filesystem::path& folder, const std::function<bool(std::string_view)>& wanted,
+                                   std::string& problem) {
   std::vector<FileEntry> entries;
   problem.clear();
   std::error_code error;
@@ -32,8 +40,7 @@ std::vector<FileEntry> list_folder(const std::filesystem::path& folder, bool sce
     std::error_code ignored;
     const bool is_folder = it->is_directory(ignored);
     if (name.starts_with('.')) continue;
-    const bool wanted = scenes_only ? lower(name).ends_with(".biotope") : looks_openable(name);
-    if (!is_folder && !wanted) continue;
+    if (!is_folder && !wanted(name)) continue;
     const std::uintmax_t bytes = is_folder ? 0 : it->file_size(ignored);
     entries.push_back({name, is_folder, ignored ? 0 : bytes});
   }
@@ -51,7 +58,15 @@ void FileBrowser::go_to(const std::filesystem::path& where) {
   folder = error ? where : absolute;
   if (folder.filename().empty() && folder.has_parent_path() && folder != folder.root_path()) folder = folder.parent_path();
   path_text = folder.string();
-  entries = list_folder(folder, scenes_only, problem);
+  if (endings.empty()) {
+    entries = list_folder(folder, scenes_only, problem);
+    return;
+  }
+  const auto wanted = [this](std::string_view file) {
+    const std::string small = lower(file);
+    return std::any_of(endings.begin(), endings.end(), [&](const std::string& ending) { return small.ends_with(ending); });
+  };
+  entries = list_wanted(folder, wanted, problem);
 }
 
 }  // namespace biotope

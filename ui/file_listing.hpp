@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,10 @@ struct FileEntry {
 /// that cannot be read is empty and told in `problem`.
 [[nodiscard]] std::vector<FileEntry> list_folder(const std::filesystem::path& folder, bool scenes_only, std::string& problem);
 
+/// The same with a test of the files' names.
+[[nodiscard]] std::vector<FileEntry> list_wanted(const std::filesystem::path& folder,
+                                                 const std::function<bool(std::string_view)>& wanted, std::string& problem);
+
 /// True for scenes and for the endings of terrain files that are common; any other file can still be typed by name.
 [[nodiscard]] bool looks_openable(std::string_view name);
 
@@ -29,6 +34,8 @@ struct FileBrowser {
   std::vector<FileEntry> entries;
   std::string problem;
   bool scenes_only = false;
+  /// Lower-case endings of the files to list instead; empty: what the editor opens.
+  std::vector<std::string> endings;
   bool confirm_overwrite = false;
 
   /// Goes to a folder and reads it.

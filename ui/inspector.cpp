@@ -1,6 +1,8 @@
 #include <algorithm>
 
 #include "ui/editor_actions.hpp"
+#include "ui/panels/herd_panel.hpp"
+#include "ui/panels/layers_panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/parts.hpp"
 
@@ -41,12 +43,17 @@ void draw_tab_panel(const UiContext& ui) {
 
 void draw_inspector(const UiContext& ui) {
   const EditorState& state = ui.state;
-  const bool brush = state.has_document && state.tool != Tool::select;
+  const bool brush = state.has_document && (is_painting(state.tool) || is_selecting(state.tool));
   const bool why = state.has_document && state.question.has_value();
+  const bool herd = state.has_document && state.herd_day.herd.has_value();
   const float available = ImGui::GetContentRegionAvail().y;
-  const float brush_height = !brush ? 0 : ui.theme.px(paint_hindrance(state).empty() ? 224 : 266);
+  const bool layers = state.has_document && state.view.tab != Tab::project;
+  const float layers_room = layers ? layers_height(ui) : 0;
+  // The brush takes what it needs, as it was drawn last, and leaves the list above room for a few lines.
+  const float brush_height = !brush ? 0 : std::min(state.paint.brush_height + ui.theme.px(10), (available - layers_room) * 0.62F);
   const float why_height = why ? std::min(ui.theme.px(230), available * 0.42F) : 0;
-  const float list_height = std::max(available - brush_height - why_height, ui.theme.px(80));
+  const float herd_height = herd ? std::min(ui.theme.px(330), available * 0.5F) : 0;
+  const float list_height = std::max(available - brush_height - why_height - herd_height - layers_room, ui.theme.px(80));
   ImGui::BeginChild("tab panel", ImVec2(0, list_height));
   draw_tab_panel(ui);
   ImGui::EndChild();
@@ -62,11 +69,22 @@ void draw_inspector(const UiContext& ui) {
     draw_why_panel(ui);
     ImGui::EndChild();
   }
+  if (herd) {
+    line();
+    ImGui::BeginChild("herd", ImVec2(0, herd_height - ui.theme.px(6)));
+    draw_herd_panel(ui);
+    ImGui::EndChild();
+  }
   if (brush) {
     line();
-    ImGui::BeginChild("brush", ImVec2(0, 0));
+    ImGui::BeginChild("brush", ImVec2(0, std::max(brush_height - ui.theme.px(6), ui.theme.px(40))));
     draw_brush_panel(ui);
+    ui.state.paint.brush_height = ImGui::GetCursorPosY();
     ImGui::EndChild();
+  }
+  if (layers) {
+    line();
+    draw_layers_panel(ui, true);
   }
 }
 

@@ -13,6 +13,8 @@
 #include "ui/canvas_menu.hpp"
 #include "ui/editor_actions.hpp"
 #include "ui/map_furniture.hpp"
+#include "ui/placing_overlay.hpp"
+#include "ui/tool_gestures.hpp"
 
 namespace biotope {
 namespace {
@@ -36,6 +38,12 @@ bool drawn_by_processor() {
   return renderer.find("llvmpipe") != std::string_view::npos || renderer.find("softpipe") != std::string_view::npos;
 }
 
+/// The ground as it is drawn.
+const Terrain& ground_of(const EditorState& state) {
+  const bool known = state.shown && state.shown->document.terrain == state.document.terrain;
+  return known ? state.shown->terrain() : *state.document.terrain;
+}
+
 bool dragged(ImGuiMouseButton button) { return ImGui::IsMouseDragging(button, 0); }
 
 }  // namespace
@@ -51,9 +59,11 @@ LandscapeCanvas::LandscapeCanvas(std::unique_ptr<LandscapeRenderer> renderer)
   if (software_) resolution_ = 0.5;
 }
 
-void LandscapeCanvas::place_camera(EditorState& state) const {
+void LandscapeCanvas::place_camera(EditorState& state) {
   if (!state.shown || !state.shown->document.terrain) return;
   if (state.view.camera_untouched && state.shown->hydrology) {
+    if (placed_for_ == state.shown->revision && state.view.camera_placed) return;
+    placed_for_ = state.shown->revision;
     state.view.camera = first_view(*state.shown);
     state.view.camera_untouched = !state.shown->complete;
     state.view.camera_placed = true;
@@ -65,9 +75,10 @@ void LandscapeCanvas::place_camera(EditorState& state) const {
 
 void LandscapeCanvas::draw_picture(const UiContext& ui, int width, int height) {
   EditorState& state = ui.state;
-  // A new ground is shown at once and what lives on it when all of it is known: every snapshot costs the renderer a look at each
-  // cell, and those in between would hold the window up.
-  const bool takes = state.shown->complete || !drawn_.snapshot || drawn_.snapshot->document.terrain != state.shown->document.terrain;
+  // A new ground is shown at once and what lives on it when all of it is known: a picture of each snapshot in between would only
+  // keep the processor from the next.
+  const bool takes =
+      state.shown->complete || !drawn_.snapshot || drawn_.snapshot->document.terrain != state.shown->document.terrain;
   Picture wanted{state.view.camera, {}, takes ? state.shown : drawn_.snapshot, width, height};
   wanted.options.hour = state.clock.hour;
   wanted.options.month = state.clock.month;
@@ -77,20 +88,23 @@ void LandscapeCanvas::draw_picture(const UiContext& ui, int width, int height) {
   wanted.options.water = state.view.water;
   wanted.options.quality = state.settings.quality;
   wanted.options.visible_species = state.view.visible_species;
-  if (under_pointer_ && state.tool != Tool::select) {
-    const PathPoint cell = cell_of(*state.document.terrain, *under_pointer_);
+  if (under_pointer_ && is_brush(state.tool)) {
+    const PathPoint cell = cell_of(ground_of(state), *under_pointer_);
     wanted.options.brush = glm::vec3(cell.x, cell.y, state.brush.radius);
   }
   const double now = ImGui::GetTime();
-  const bool same = has_picture_ && same_camera(wanted.camera, drawn_.camera) && same_options(wanted.options, drawn_.options) &&
-                    wanted.snapshot == drawn_.snapshot && width == drawn_.width && height == drawn_.height;
+  renderer_->set_snapshot(wanted.snapshot);
+  const bool news = renderer_->bring_in(wanted.options);
+  const bool same = has_picture_ && !news && same_camera(wanted.camera, drawn_.camera) &&
+                    same_options(wanted.options, drawn_.options) && wanted.snapshot == drawn_.snapshot && width == drawn_.width &&
+                    height == drawn_.height;
   if (!same) last_change_ = now;
   // Plants that are still being built come in quickly on a coarse picture; the sharp one follows.
   const bool complete = has_picture_ && renderer_->complete();
   const bool resting = now - last_change_ > rest_seconds && complete;
   const double resolution = software_ && !resting ? resolution_ : 1.0;
   refining_ = (software_ && !resting && resolution < 1) || !complete;
-  if (same && complete && drawn_resolution_ >= resolution) return;
+  if (same && drawn_resolution_ >= resolution) return;
   // A picture that takes long even when it is coarse is drawn less often, so that the rest of the window keeps its pace.
   const bool moves_slowly = software_ && has_picture_ && width == drawn_.width && height == drawn_.height && !resting;
   if (moves_slowly && now - drawn_at_ < 1.5 * drawn_seconds_) {
@@ -100,7 +114,6 @@ void LandscapeCanvas::draw_picture(const UiContext& ui, int width, int height) {
   const int target_width = std::max(int(width * resolution), 16);
   const int target_height = std::max(int(height * resolution), 16);
   target_->resize(target_width, target_height);
-  renderer_->set_snapshot(wanted.snapshot);
   const auto begin = std::chrono::steady_clock::now();
   target_->bind();
   renderer_->draw(wanted.camera, wanted.options, target_width, target_height);
@@ -137,7 +150,7 @@ void LandscapeCanvas::handle_fly_keys(const UiContext& ui) const {
   const double forward = held(GLFW_KEY_W) - held(GLFW_KEY_S);
   const double up = held(GLFW_KEY_E) - held(GLFW_KEY_Q);
   if (right == 0 && forward == 0 && up == 0) return;
-  const Terrain& terrain = *state.document.terrain;
+  const Terrain& terrain = ground_of(state);
   const double ground = ground_height(terrain, std::clamp(state.view.camera.position.x, 0.0, terrain.width_metres()),
                                       std::clamp(state.view.camera.position.y, 0.0, terrain.height_metres()));
   // Faster the higher one flies.
@@ -149,40 +162,67 @@ void LandscapeCanvas::handle_fly_keys(const UiContext& ui) const {
 
 void LandscapeCanvas::follow_stroke(const UiContext& ui, PixelPoint canvas) {
   EditorState& state = ui.state;
-  const Terrain& terrain = *state.document.terrain;
+  const Terrain& terrain = ground_of(state);
   for (const auto& point : state.path.points) {
     const glm::vec3 ray = ray_through(state.view.camera, canvas, {point[0] - origin_.x, point[1] - origin_.y});
     const auto ground = pick_ground(terrain, state.view.camera.position, ray);
     if (!ground) continue;
     const PathPoint cell = cell_of(terrain, *ground);
-    continue_stroke(state, cell.x, cell.y);
+    drag_tool(state, cell);
   }
   state.path.points.clear();
   if (state.path.held) return;
-  end_stroke(state);
+  release_tool(state);
   paints_ = false;
+}
+
+float LandscapeCanvas::reach_at_pointer(const UiContext& ui, PixelPoint canvas) const {
+  if (!under_pointer_) return 0;
+  const Camera& camera = ui.state.view.camera;
+  const double away = glm::length(*under_pointer_ - camera.position);
+  const double metres_a_pixel = 2 * away * std::tan(camera.vertical_field * 0.00872665) / canvas.y;
+  return float(metres_a_pixel * double(ui.theme.px(9)) / ui.state.document.terrain->cell_size);
+}
+
+void LandscapeCanvas::draw_things(const UiContext& ui, ImVec2 origin, PixelPoint canvas) const {
+  const EditorState& state = ui.state;
+  // Lines over the picture are only wanted where one works on them.
+  const bool works =
+      state.view.tab == Tab::terrain || state.view.tab == Tab::trails || state.placing.busy() || state.herd_day.herd;
+  if (!works) return;
+  const Terrain& ground = state.shown->terrain();
+  const auto project = [&](PathPoint cell) -> std::optional<ImVec2> {
+    const auto at = pixel_of(state.view.camera, canvas, place_of(ground, cell));
+    if (!at) return std::nullopt;
+    return ImVec2(origin.x + float(at->x), origin.y + float(at->y));
+  };
+  const auto pointer = under_pointer_ ? std::optional(cell_of(ground, *under_pointer_)) : std::nullopt;
+  draw_placed(ui, project, 0, pointer);
 }
 
 void LandscapeCanvas::handle_tool(const UiContext& ui, PixelPoint canvas, bool hovered) {
   EditorState& state = ui.state;
   const ImGuiIO& io = ImGui::GetIO();
-  if (paints_ && state.painting.stroking()) {
+  if (paints_ && tool_active(state)) {
     follow_stroke(ui, canvas);
     return;
   }
+  const auto place = under_pointer_ ? std::optional(cell_of(ground_of(state), *under_pointer_)) : std::nullopt;
+  if (handle_placing(ui, place, reach_at_pointer(ui, canvas), hovered)) return;
   if (!hovered || !under_pointer_) return;
-  const PathPoint cell = cell_of(*state.document.terrain, *under_pointer_);
+  const PathPoint cell = cell_of(ground_of(state), *under_pointer_);
   const int x = int(std::lround(cell.x));
   const int y = int(std::lround(cell.y));
   if (state.tool != Tool::select && !io.KeyAlt && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-    begin_stroke(state, cell.x, cell.y);
-    paints_ = state.painting.stroking();
+    press_tool(state, cell, {io.KeyCtrl, io.KeyShift});
+    paints_ = tool_active(state);
     if (paints_) follow_stroke(ui, canvas);
     return;
   }
   const float still = 16 * io.MouseDragThreshold;
   if (state.tool == Tool::select && ImGui::IsMouseReleased(ImGuiMouseButton_Left) && io.MouseDragMaxDistanceSqr[0] < still) {
-    ask_why(state, x, y);
+    const float herd_reach = std::max(reach_at_pointer(ui, canvas) * 1.4F, float(20 / ground_of(state).cell_size));
+    if (!choose_herd(state, cell, herd_reach)) ask_why(state, x, y);
   }
   if (ImGui::IsMouseReleased(ImGuiMouseButton_Right) && io.MouseDragMaxDistanceSqr[1] < still) {
     asked_ = cell;
@@ -192,7 +232,7 @@ void LandscapeCanvas::handle_tool(const UiContext& ui, PixelPoint canvas, bool h
 
 void LandscapeCanvas::handle_mouse(const UiContext& ui, PixelPoint canvas, PixelPoint pixel, bool hovered, bool active) {
   EditorState& state = ui.state;
-  const Terrain& terrain = *state.document.terrain;
+  const Terrain& terrain = ground_of(state);
   const ImGuiIO& io = ImGui::GetIO();
   const bool moving = active && (dragged(ImGuiMouseButton_Right) || dragged(ImGuiMouseButton_Middle) || io.KeyAlt);
   if ((hovered || active) && !moving) {
@@ -204,7 +244,8 @@ void LandscapeCanvas::handle_mouse(const UiContext& ui, PixelPoint canvas, Pixel
     const PathPoint cell = cell_of(terrain, *under_pointer_);
     state.pointer = {true, cell.x, cell.y};
   }
-  const bool orbits = active && dragged(ImGuiMouseButton_Left) && (io.KeyAlt || state.tool == Tool::select);
+  const bool orbits = active && dragged(ImGuiMouseButton_Left) &&
+                      (io.KeyAlt || (state.tool == Tool::select && !state.placing.busy() && state.herd_day.held_stop < 0));
   if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) pivot_.reset();
   if (orbits) {
     if (!pivot_) {
@@ -258,6 +299,7 @@ void LandscapeCanvas::draw(const UiContext& ui, ImVec2 size) {
   list.PushClipRect(origin, end, true);
   const auto texture = reinterpret_cast<ImTextureID>(std::uintptr_t(target_->texture()));
   list.AddImage(texture, origin, end, ImVec2(0, 1), ImVec2(1, 0));
+  draw_things(ui, origin, canvas);
   draw_north_arrow(ui.theme, origin, size, state.view.camera.heading);
   list.PopClipRect();
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.theme.px(8), ui.theme.px(8)));

@@ -32,24 +32,30 @@ class LandscapeCanvas {
     int height = 0;
   };
   explicit LandscapeCanvas(std::unique_ptr<LandscapeRenderer> renderer);
-  void place_camera(EditorState& state) const;
+  void place_camera(EditorState& state);
   void draw_picture(const UiContext& ui, int width, int height);
   void handle_mouse(const UiContext& ui, PixelPoint canvas, PixelPoint pixel, bool hovered, bool active);
   void handle_wheel(const UiContext& ui, PixelPoint canvas, PixelPoint pixel) const;
   void handle_fly_keys(const UiContext& ui) const;
+  /// How far the pointer takes hold of things, in cells, where it is.
+  [[nodiscard]] float reach_at_pointer(const UiContext& ui, PixelPoint canvas) const;
+  /// What a person placed and draws.
+  void draw_things(const UiContext& ui, ImVec2 origin, PixelPoint canvas) const;
   void handle_tool(const UiContext& ui, PixelPoint canvas, bool hovered);
   void follow_stroke(const UiContext& ui, PixelPoint canvas);
 
   std::unique_ptr<LandscapeRenderer> renderer_;
   std::unique_ptr<RenderTarget> target_;
   Picture drawn_;
+  /// Revision of the snapshot for which the camera was last placed.
+  std::uint64_t placed_for_ = 0;
   bool has_picture_ = false;
   bool software_ = false;  ///< drawn by the processor
   double resolution_ = 1;  ///< share of the full resolution while moving
   double drawn_resolution_ = 0;
   double drawn_at_ = 0;       ///< time of the last picture, s
   double drawn_seconds_ = 0;  ///< what it took, s
-  double last_change_ = 0;  ///< time of the last change of the picture, s
+  double last_change_ = 0;    ///< time of the last change of the picture, s
   bool refining_ = false;
   bool takes_letters_ = false;
   std::optional<glm::dvec3> pivot_;  ///< what an orbit turns around

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/base/parallel.hpp"
 #include "core/ecosystem/surplus.hpp"
+#include "core/pipeline/edit_grounds.hpp"
+#include "ui/layer_values.hpp"
 
 namespace biotope {
 namespace {
@@ -62,23 +65,6 @@ float resource_value(const MonthlyMap& map, const PaintLayer* paint, int month, 
 
 float slope_degrees(float rise_over_run) { return std::atan(rise_over_run) * 57.29578F; }
 
-/// Individuals per km2 by region, as competition made them.
-Grid<float> computed_density(const AnimalLevel& level, std::size_t index) {
-  const ConfinementRegions& regions = *level.regions[index];
-  std::vector<float> density(regions.regions.size(), 0);
-  for (std::size_t region = 0; region < density.size(); ++region) {
-    const double area = regions.regions[region].area / 1e6;
-    const bool known = index < level.computed_population.size() && region < level.computed_population[index].size();
-    if (known && area > 0) density[region] = float(level.computed_population[index][region] / area);
-  }
-  Grid<float> grid(regions.label.width(), regions.label.height());
-  for (std::size_t i = 0; i < grid.size(); ++i) {
-    const std::int32_t region = regions.label[i];
-    if (region >= 0) grid[i] = density[std::size_t(region)];
-  }
-  return grid;
-}
-
 std::shared_ptr<Grid<float>> cover_grid(const CoverMap& cover) {
   auto grid = std::make_shared<Grid<float>>(cover.width(), cover.height());
   std::vector<Cover> row(std::size_t(cover.width()));
@@ -111,18 +97,68 @@ std::shared_ptr<const Grid<float>> ground_map(const MapsSnapshot& snapshot, MapK
   const int height = terrain.height.height();
   switch (kind) {
     case MapKind::height:
-      return std::shared_ptr<const Grid<float>>(snapshot.document.terrain, &terrain.height);
+      return std::shared_ptr<const Grid<float>>(snapshot.land ? snapshot.land : snapshot.document.terrain, &terrain.height);
     case MapKind::slope:
       return fill(width, height, [&](int x, int y) { return slope_degrees(snapshot.derivatives->slope(x, y)); });
     case MapKind::curvature:
       return std::shared_ptr<const Grid<float>>(snapshot.derivatives, &snapshot.derivatives->curvature);
     case MapKind::water_depth:
       return std::shared_ptr<const Grid<float>>(snapshot.hydrology, &snapshot.hydrology->water_depth);
-    case MapKind::texture:
-      return snapshot.environment->texture;
     default:
-      return fill(width, height, [&](int x, int y) { return float((*snapshot.environment->geology)(x, y)); });
+      return nullptr;
   }
+}
+
+/// The layer of paint that a map shows beside what lies under it; nothing for maps that are no layer's own.
+std::optional<LayerId> shown_layer(const MapsSnapshot& snapshot, const MapId& id) {
+  switch (id.kind) {
+    case MapKind::texture:
+      return LayerId{LayerKind::resource, "texture"};
+    case MapKind::geology:
+      return LayerId{LayerKind::geology, "class"};
+    case MapKind::ground_change:
+      return LayerId{LayerKind::ground, "height"};
+    case MapKind::passage:
+      return LayerId{LayerKind::passage, "all"};
+    case MapKind::loss:
+      if (!snapshot.web || id.item < 0 || id.item >= int(snapshot.web->species.size())) return std::nullopt;
+      return LayerId{LayerKind::loss, snapshot.web->species[std::size_t(id.item)].name};
+    default:
+      return std::nullopt;
+  }
+}
+
+/// What is computed under such a layer at a cell.
+float computed_at(const MapsSnapshot& snapshot, LayerKind kind, int x, int y) {
+  switch (kind) {
+    case LayerKind::resource:
+      return (*snapshot.environment->texture)(x, y);
+    case LayerKind::geology:
+      return float((*snapshot.environment->geology)(x, y));
+    case LayerKind::ground:
+      return snapshot.document.terrain->height(x, y);
+    default:
+      return 0;
+  }
+}
+
+std::shared_ptr<const Grid<float>> layer_map(const MapsSnapshot& snapshot, const LayerId& layer) {
+  const auto& height = snapshot.document.terrain->height;
+  const auto paint = snapshot.paint(layer);
+  if (layer.name == "texture" && !paint) return snapshot.environment->texture;
+  return fill(height.width(), height.height(), [&](int x, int y) {
+    return shown_value(layer.kind, computed_at(snapshot, layer.kind, x, y), paint ? (*paint)(x, y) : Paint{});
+  });
+}
+
+/// What such a map is made from: its paint, or what lies under it where there is none.
+const void* layer_map_source(const MapsSnapshot& snapshot, const LayerId& layer) {
+  const bool needs_environment = layer.kind == LayerKind::resource || layer.kind == LayerKind::geology;
+  if (needs_environment && !snapshot.environment) return nullptr;
+  const auto paint = snapshot.paint(layer);
+  if (paint && needs_environment) return &snapshot;
+  if (paint) return paint.get();
+  return needs_environment ? static_cast<const void*>(snapshot.environment.get()) : snapshot.document.terrain.get();
 }
 
 std::shared_ptr<const Grid<float>> plant_map(const MapsSnapshot& snapshot, const MapId& id) {
@@ -133,7 +169,8 @@ std::shared_ptr<const Grid<float>> plant_map(const MapsSnapshot& snapshot, const
     const PlantTraits& traits = snapshot.web->species[std::size_t(id.item)].plant();
     return std::make_shared<Grid<float>>(fitness_map(traits, snapshot.plant_environment()));
   }
-  return std::make_shared<Grid<float>>(plant_surplus(*snapshot.web, id.item, *snapshot.cover[plant], snapshot.animals));
+  return std::make_shared<Grid<float>>(
+      plant_surplus(*snapshot.web, id.item, *snapshot.cover[plant], snapshot.animals, snapshot.loss(id.item).get()));
 }
 
 std::shared_ptr<const Grid<float>> animal_map(const MapsSnapshot& snapshot, const MapId& id) {
@@ -143,7 +180,8 @@ std::shared_ptr<const Grid<float>> animal_map(const MapsSnapshot& snapshot, cons
     return std::make_shared<Grid<float>>(animal_density(*level, index, paint.get()));
   }
   if (id.kind == MapKind::animal_surplus) {
-    return std::make_shared<Grid<float>>(animal_surplus(*snapshot.web, id.item, *level, snapshot.animals));
+    return std::make_shared<Grid<float>>(
+        animal_surplus(*snapshot.web, id.item, *level, snapshot.animals, snapshot.loss(id.item).get()));
   }
   const Grid<std::int32_t>& label = level->regions[std::size_t(index)]->label;
   return fill(label.width(), label.height(), [&](int x, int y) { return float(label(x, y)); });
@@ -172,16 +210,20 @@ const void* source_of(const MapsSnapshot& snapshot, const MapId& id) {
     case MapKind::none:
       return nullptr;
     case MapKind::height:
-      return snapshot.document.terrain.get();
+      return &snapshot.terrain();
     case MapKind::slope:
     case MapKind::curvature:
       return snapshot.derivatives.get();
     case MapKind::water_depth:
       return snapshot.hydrology.get();
     case MapKind::texture:
-      return snapshot.environment.get();
     case MapKind::geology:
-      return snapshot.environment.get();
+    case MapKind::ground_change:
+    case MapKind::passage:
+    case MapKind::loss: {
+      const std::optional<LayerId> layer = shown_layer(snapshot, id);
+      return layer ? layer_map_source(snapshot, *layer) : nullptr;
+    }
     case MapKind::illumination:
     case MapKind::temperature:
     case MapKind::moisture: {
@@ -222,9 +264,13 @@ MapValues build_map(const MapsSnapshot& snapshot, const MapId& id) {
     case MapKind::slope:
     case MapKind::curvature:
     case MapKind::water_depth:
+      return with_range(ground_map(snapshot, id.kind));
     case MapKind::texture:
     case MapKind::geology:
-      return with_range(ground_map(snapshot, id.kind));
+    case MapKind::ground_change:
+    case MapKind::passage:
+    case MapKind::loss:
+      return with_range(layer_map(snapshot, *shown_layer(snapshot, id)));
     case MapKind::illumination:
     case MapKind::temperature:
     case MapKind::moisture: {
@@ -249,36 +295,12 @@ MapValues build_map(const MapsSnapshot& snapshot, const MapId& id) {
   return {};
 }
 
-std::shared_ptr<Grid<float>> computed_under(const MapsSnapshot& snapshot, const LayerId& layer) {
-  if (!snapshot.web) return nullptr;
-  if (layer.kind == LayerKind::resource) {
-    if (!snapshot.environment) return nullptr;
-    const MonthlyMap& map = snapshot.environment->map(resource_of(map_of_layer(layer, *snapshot.web).kind));
-    return fill(map.layer(0).width(), map.layer(0).height(), [&](int x, int y) { return map.mean(x, y); });
-  }
-  const int species = snapshot.web->find(layer.name);
-  if (layer.kind == LayerKind::plant_density) {
-    const int plant = find_plant(snapshot, species);
-    if (plant < 0 || plant >= int(snapshot.computed_cover.size()) || !snapshot.computed_cover[std::size_t(plant)]) return nullptr;
-    return cover_grid(*snapshot.computed_cover[std::size_t(plant)]);
-  }
-  const AnimalPlace place = find_animal(snapshot, species);
-  if (place.level == nullptr) return nullptr;
-  return std::make_shared<Grid<float>>(computed_density(*place.level, std::size_t(place.index)));
+std::shared_ptr<const Grid<float>> computed_under(const MapsSnapshot& snapshot, const LayerId& layer) {
+  return computed_map(snapshot, layer);
 }
 
 std::shared_ptr<const void> computed_source(const MapsSnapshot& snapshot, const LayerId& layer) {
-  if (!snapshot.web) return nullptr;
-  if (layer.kind == LayerKind::resource) return snapshot.environment;
-  const int species = snapshot.web->find(layer.name);
-  if (layer.kind == LayerKind::plant_density) {
-    const int plant = find_plant(snapshot, species);
-    return plant >= 0 && plant < int(snapshot.computed_cover.size()) ? snapshot.computed_cover[std::size_t(plant)] : nullptr;
-  }
-  const AnimalLevel* level = find_animal(snapshot, species).level;
-  const auto found =
-      std::find_if(snapshot.animals.begin(), snapshot.animals.end(), [&](const auto& each) { return each.get() == level; });
-  return level == nullptr || found == snapshot.animals.end() ? nullptr : *found;
+  return computed_map_source(snapshot, layer);
 }
 
 float value_at(const MapsSnapshot& snapshot, const MapId& id, int x, int y) {
@@ -294,9 +316,14 @@ float value_at(const MapsSnapshot& snapshot, const MapId& id, int x, int y) {
     case MapKind::water_depth:
       return snapshot.hydrology->water_depth(x, y);
     case MapKind::texture:
-      return (*snapshot.environment->texture)(x, y);
     case MapKind::geology:
-      return float((*snapshot.environment->geology)(x, y));
+    case MapKind::ground_change:
+    case MapKind::passage:
+    case MapKind::loss: {
+      const LayerId layer = *shown_layer(snapshot, id);
+      const auto paint = snapshot.paint(layer);
+      return shown_value(layer.kind, computed_at(snapshot, layer.kind, x, y), paint ? (*paint)(x, y) : Paint{});
+    }
     case MapKind::plant_cover:
       return cover_fraction((*snapshot.cover[std::size_t(find_plant(snapshot, id.item))])(x, y));
     case MapKind::illumination:

@@ -23,7 +23,7 @@ struct MapValues {
 [[nodiscard]] const void* source_of(const MapsSnapshot& snapshot, const MapId& id);
 
 /// The map under a layer of paint, as it was computed; null while it is not known.
-[[nodiscard]] std::shared_ptr<Grid<float>> computed_under(const MapsSnapshot& snapshot, const LayerId& layer);
+[[nodiscard]] std::shared_ptr<const Grid<float>> computed_under(const MapsSnapshot& snapshot, const LayerId& layer);
 
 /// What that map is made from; two snapshots with the same pointer have the same computed map. Null while it is not known.
 [[nodiscard]] std::shared_ptr<const void> computed_source(const MapsSnapshot& snapshot, const LayerId& layer);

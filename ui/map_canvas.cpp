@@ -12,6 +12,8 @@
 #include "ui/icons.hpp"
 #include "ui/map_furniture.hpp"
 #include "ui/outdated_area.hpp"
+#include "ui/placing_overlay.hpp"
+#include "ui/tool_gestures.hpp"
 #include "ui/view_transform.hpp"
 
 namespace biotope {
@@ -58,7 +60,10 @@ MapOptions MapCanvas::options_for(const UiContext& ui) {
   const MapEntry entry = describe_map(id, web);
   const MapId painted_map = web != nullptr && state.painting.shown() ? map_of_layer(state.painting.layer(), *web) : MapId{};
   if (id.kind != MapKind::none && painted_map == id) {
+    if (values_of_ != id) values_ = {};
     values_.cells = state.painting.shown();
+    values_.low = std::min(values_.low, state.painting.least());
+    values_.high = std::max(values_.high, state.painting.greatest());
     values_current_ = true;
   } else {
     auto answer = state.maps.request(state.newest, id);
@@ -66,6 +71,7 @@ MapOptions MapCanvas::options_for(const UiContext& ui) {
     values_ = answer.values;
     values_current_ = answer.current;
   }
+  values_of_ = id;
   if (values_.cells && id.kind != MapKind::none) {
     const ScaleRange range = scale_range(entry, values_.low, values_.high);
     options.overlay = MapOverlay{values_.cells, range.low, range.high, entry.colours, state.view.opacity, entry.clear_below};
@@ -76,7 +82,8 @@ MapOptions MapCanvas::options_for(const UiContext& ui) {
       const auto found = state.document.layers.find(*layer);
       if (found != state.document.layers.end()) options.hatched = found->second;
       const auto shortage = state.shortages.find(id.item);
-      if (layer->kind == LayerKind::animal_density && shortage != state.shortages.end()) options.beyond = shortage->second;
+      const bool density = layer->kind == LayerKind::animal_density || layer->kind == LayerKind::plant_density;
+      if (density && shortage != state.shortages.end()) options.beyond = shortage->second;
     }
   }
   return options;
@@ -113,21 +120,23 @@ void MapCanvas::follow_stroke(const UiContext& ui, PixelPoint canvas) {
   EditorState& state = ui.state;
   for (const auto& point : state.path.points) {
     const PathPoint cell = cell_at(state.view.map, canvas, {point[0] - origin_.x, point[1] - origin_.y});
-    continue_stroke(state, cell.x, cell.y);
+    drag_tool(state, cell);
   }
   state.path.points.clear();
   if (state.path.held) return;
-  end_stroke(state);
+  release_tool(state);
   paints_ = false;
 }
 
 void MapCanvas::handle_tool(const UiContext& ui, PixelPoint canvas, const PathPoint& cell, bool hovered) {
   EditorState& state = ui.state;
   const ImGuiIO& io = ImGui::GetIO();
-  if (paints_ && state.painting.stroking()) {
+  if (paints_ && tool_active(state)) {
     follow_stroke(ui, canvas);
     return;
   }
+  const float reach = ui.theme.px(9) / float(state.view.map.pixels_per_cell);
+  if (handle_placing(ui, cell, reach, hovered && !space_held())) return;
   if (!hovered || space_held()) return;
   const int x = int(std::lround(cell.x));
   const int y = int(std::lround(cell.y));
@@ -137,15 +146,15 @@ void MapCanvas::handle_tool(const UiContext& ui, PixelPoint canvas, const PathPo
     } else if (state.tool != Tool::select && !state.path.points.empty()) {
       const auto& first = state.path.points.front();
       const PathPoint begin = cell_at(state.view.map, canvas, {first[0] - origin_.x, first[1] - origin_.y});
-      begin_stroke(state, begin.x, begin.y);
-      paints_ = state.painting.stroking();
+      press_tool(state, begin, {io.KeyCtrl, io.KeyShift});
+      paints_ = tool_active(state);
       if (paints_) follow_stroke(ui, canvas);
       return;
     }
   }
   const bool clicked =
       ImGui::IsMouseReleased(ImGuiMouseButton_Left) && io.MouseDragMaxDistanceSqr[0] < 16 * io.MouseDragThreshold;
-  if (state.tool == Tool::select && clicked && !io.KeyAlt) ask_why(state, x, y);
+  if (state.tool == Tool::select && clicked && !io.KeyAlt && !choose_herd(state, cell, reach * 1.4F)) ask_why(state, x, y);
   const bool right_clicked =
       ImGui::IsMouseReleased(ImGuiMouseButton_Right) && io.MouseDragMaxDistanceSqr[1] < 16 * io.MouseDragThreshold;
   if (right_clicked) {
@@ -160,7 +169,8 @@ void MapCanvas::handle_mouse(const UiContext& ui, PixelPoint canvas, PixelPoint 
   const Terrain& terrain = *state.document.terrain;
   const bool active = ImGui::IsItemActive();
   if (hovered) handle_zoom(ui, canvas, pixel);
-  const bool left_pans = space_held() || (state.tool == Tool::select && !ImGui::GetIO().KeyAlt);
+  const bool left_pans = space_held() || (state.tool == Tool::select && !state.placing.busy() && state.herd_day.held_stop < 0 &&
+                                          !ImGui::GetIO().KeyAlt);
   const bool panning = active && (ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0) ||
                                   (left_pans && ImGui::IsMouseDragging(ImGuiMouseButton_Left, space_held() ? 0.0F : -1.0F)));
   if (panning) {
@@ -203,17 +213,19 @@ void MapCanvas::draw_cursor(const UiContext& ui, ImVec2 origin, PixelPoint canva
     list.AddCircle(place, ui.theme.px(7), IM_COL32(0, 0, 0, 200), 24, ui.theme.px(4));
     list.AddCircle(place, ui.theme.px(7), colour_u32(ui.theme.attention), 24, ui.theme.px(2));
   }
-  if (!hovered && !state.painting.stroking()) return;
-  if (space_held() || state.tool == Tool::select) return;
-  const float radius = float(state.brush.radius * state.view.map.pixels_per_cell);
-  const ImVec2 centre(origin.x + float(pixel.x), origin.y + float(pixel.y));
-  const bool able = paint_hindrance(state).empty();
-  const ImU32 ring = able ? IM_COL32(255, 255, 255, 230) : IM_COL32(255, 180, 60, 230);
-  list.AddCircle(centre, radius, IM_COL32(0, 0, 0, 130), 72, ui.theme.px(3));
-  list.AddCircle(centre, radius, ring, 72, ui.theme.px(1.5F));
-  const float core = radius * std::clamp(state.brush.hardness, 0.0F, 0.99F);
-  if (core > ui.theme.px(6) && core < radius - ui.theme.px(3)) list.AddCircle(centre, core, IM_COL32(255, 255, 255, 80), 64, 1);
-  list.AddCircleFilled(centre, ui.theme.px(1.5F), ring);
+  if ((!hovered && !state.painting.stroking()) || space_held()) return;
+  overlay_.draw_cursor(ui, origin, canvas, pixel);
+}
+
+void MapCanvas::draw_things(const UiContext& ui, ImVec2 origin, PixelPoint canvas, PixelPoint pixel, bool hovered) const {
+  const EditorState& state = ui.state;
+  if (!state.document.terrain) return;
+  const auto project = [&](PathPoint cell) -> std::optional<ImVec2> {
+    const PixelPoint at = pixel_of(state.view.map, canvas, double(cell.x), double(cell.y));
+    return ImVec2(origin.x + float(at.x), origin.y + float(at.y));
+  };
+  const auto pointer = hovered ? std::optional(cell_at(state.view.map, canvas, pixel)) : std::nullopt;
+  draw_placed(ui, project, state.view.map.pixels_per_cell / state.document.terrain->cell_size, pointer);
 }
 
 void MapCanvas::draw_herd_tooltip(const UiContext& ui, PixelPoint canvas, PixelPoint pixel) const {
@@ -267,8 +279,8 @@ void MapCanvas::draw(const UiContext& ui, ImVec2 size) {
   const PixelPoint canvas{double(width), double(height)};
   // A view nobody has moved stays fitted when the window changes its size.
   const MapView& view = state.view.map;
-  const bool untouched = view.centre_x == fitted_.centre_x && view.centre_y == fitted_.centre_y &&
-                         view.pixels_per_cell == fitted_.pixels_per_cell;
+  const bool untouched =
+      view.centre_x == fitted_.centre_x && view.centre_y == fitted_.centre_y && view.pixels_per_cell == fitted_.pixels_per_cell;
   if (state.document.terrain && (!state.view.framed || untouched)) {
     fitted_ = fitted(state.document.terrain->height.rect(), canvas, ui.theme.px(20));
     state.view.map = fitted_;
@@ -290,6 +302,8 @@ void MapCanvas::draw(const UiContext& ui, ImVec2 size) {
   const auto texture = reinterpret_cast<ImTextureID>(std::uintptr_t(target_->texture()));
   list.AddImage(texture, origin, end, ImVec2(0, 1), ImVec2(1, 0));
   draw_pulse(ui, origin, canvas);
+  overlay_.draw(ui, origin, canvas);
+  draw_things(ui, origin, canvas, pixel, hovered);
   draw_cursor(ui, origin, canvas, pixel, hovered);
   if (state.document.terrain) {
     const MapEntry entry = describe_map(visible_map(state), state.web());
@@ -301,7 +315,7 @@ void MapCanvas::draw(const UiContext& ui, ImVec2 size) {
     draw_north_arrow(ui.theme, origin, size, 0);
   }
   list.PopClipRect();
-  if (hovered && !state.painting.stroking() && !ImGui::IsMouseDown(0)) draw_herd_tooltip(ui, canvas, pixel);
+  if (hovered && !tool_active(state) && !ImGui::IsMouseDown(0)) draw_herd_tooltip(ui, canvas, pixel);
   draw_context_menu(ui);
 }
 

@@ -4,6 +4,7 @@
 
 #include "render/map_renderer.hpp"
 #include "render/offscreen_context.hpp"
+#include "ui/tool_overlay.hpp"
 #include "ui/view_transform.hpp"
 #include "ui/widgets.hpp"
 
@@ -16,6 +17,8 @@ class MapCanvas {
 
   /// Draws into the current Dear ImGui window, `size` pixels, and handles the mouse over it.
   void draw(const UiContext& ui, ImVec2 size);
+  /// True while parts of the picture are still to come in.
+  [[nodiscard]] bool refining() const { return !renderer_->complete(); }
 
  private:
   /// Everything the picture depends on besides the snapshot and the overlay's own pointer.
@@ -36,6 +39,8 @@ class MapCanvas {
   void draw_pulse(const UiContext& ui, ImVec2 origin, PixelPoint canvas) const;
   void draw_cursor(const UiContext& ui, ImVec2 origin, PixelPoint canvas, PixelPoint pixel, bool hovered) const;
   void draw_context_menu(const UiContext& ui);
+  /// What a person placed and draws.
+  void draw_things(const UiContext& ui, ImVec2 origin, PixelPoint canvas, PixelPoint pixel, bool hovered) const;
   void draw_herd_tooltip(const UiContext& ui, PixelPoint canvas, PixelPoint pixel) const;
 
   std::unique_ptr<MapRenderer> renderer_;
@@ -44,10 +49,12 @@ class MapCanvas {
   bool has_picture_ = false;
   MapValues values_;  ///< of the map shown
   bool values_current_ = false;
+  MapId values_of_;
   MapView fitted_;       ///< the view that showed the whole map last
   PathPoint asked_;      ///< cell of the context menu
   ImVec2 origin_;        ///< upper left corner on the screen
-  bool paints_ = false;  ///< the stroke in progress began here
+  bool paints_ = false;  ///< the stroke or gesture in progress began here
+  ToolOverlay overlay_;
 };
 
 }  // namespace biotope

@@ -36,7 +36,10 @@ enum class MapKind : std::uint8_t {
   animal_density,
   animal_regions,
   animal_surplus,
-  trail_wear
+  trail_wear,
+  ground_change,  ///< painted ground against the file's
+  passage,        ///< painted obstacles and passages
+  loss            ///< item: species; share of its growth lost to an external event
 };
 
 /// Names one map of a landscape.
@@ -72,10 +75,16 @@ struct MapEntry {
 
 /// The map that shows what a layer of paint is about. `web` gives the species' number.
 [[nodiscard]] MapId map_of_layer(const LayerId& layer, const FoodWeb& web);
+/// The tab where that map is offered.
+[[nodiscard]] Tab tab_of_layer(const LayerId& layer, const FoodWeb& web);
 /// The layer one paints on while looking at a map; nothing where a map cannot be painted.
 [[nodiscard]] std::optional<LayerId> layer_of_map(const MapId& id, const FoodWeb& web);
 
 /// A species' name for people: its common name, else its scientific one, else its short one.
 [[nodiscard]] std::string display_name(const Species& species);
+/// Geology classes as people call them, by number.
+[[nodiscard]] const std::vector<std::string>& geology_names();
+/// What a person calls a layer of paint: "Moisture", "Oak", "Oak: lost to fire or disease", "Ground".
+[[nodiscard]] std::string layer_title(const LayerId& layer, const FoodWeb* web);
 
 }  // namespace biotope

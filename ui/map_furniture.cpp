@@ -52,6 +52,11 @@ float line_step(const ScaleRange& range) {
 }
 
 ScaleRange scale_range(const MapEntry& map, float least, float greatest) {
+  if (map.colours == ColourMap::diverging && !map.low && !map.high) {
+    // More and less are read against the neutral middle.
+    const float most = round_up(std::max({std::abs(least), std::abs(greatest), 1.0F}));
+    return {-most, most};
+  }
   float low = map.low.value_or(least);
   float high = map.high.value_or(greatest);
   // A map that is nearly empty or flat still gets a scale one can read.

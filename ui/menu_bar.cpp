@@ -6,6 +6,7 @@
 #include "ui/editor_actions.hpp"
 #include "ui/icons.hpp"
 #include "ui/parts.hpp"
+#include "ui/tool_gestures.hpp"
 
 namespace biotope {
 namespace {
@@ -65,25 +66,6 @@ float draw_menu_bar(const UiContext& ui) {
   return height;
 }
 
-void draw_toolbar(const UiContext& ui) {
-  const float side = ui.theme.px(32);
-  const auto line = [&] {
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::GetWindowDrawList()->AddLine(ImVec2(at.x + ui.theme.px(4), at.y + ui.theme.px(2)),
-                                        ImVec2(at.x + side - ui.theme.px(4), at.y + ui.theme.px(2)), colour_u32(ui.theme.line));
-    ImGui::Dummy(ImVec2(side, ui.theme.px(5)));
-  };
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, ui.theme.px(3)));
-  for (const char* id : {"tool.select", "tool.brush", "tool.erase", "tool.smooth", "tool.restore"}) command_button(ui, id, side);
-  line();
-  for (const char* id : {"edit.undo", "edit.redo"}) command_button(ui, id, side);
-  line();
-  for (const char* id : {"view.map", "view.landscape", "view.split", "view.frame"}) command_button(ui, id, side);
-  line();
-  for (const char* id : {"file.screenshot", "help.palette"}) command_button(ui, id, side);
-  ImGui::PopStyleVar();
-}
-
 void handle_shortcuts(const UiContext& ui, bool landscape_letters) {
   EditorState& state = ui.state;
   const bool popup = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
@@ -92,7 +74,14 @@ void handle_shortcuts(const UiContext& ui, bool landscape_letters) {
     ImGui::ClosePopupToLevel(GImGui->OpenPopupStack.Size - 1, true);
   }
   const std::vector<KeyPress> presses = std::exchange(state.key_presses, {});
-  if (popup || ImGui::GetIO().WantTextInput || state.painting.stroking()) return;
+  if (tool_active(state)) {
+    // Nothing else happens in the middle of a stroke; Esc takes it back.
+    for (const KeyPress& press : presses) {
+      if (press.keys.key == int(DialogKey::escape)) cancel_tool(state);
+    }
+    return;
+  }
+  if (popup || ImGui::GetIO().WantTextInput) return;
   constexpr std::string_view fly_letters = "WASDQE";
   for (const KeyPress& press : presses) {
     const int key = press.keys.key;

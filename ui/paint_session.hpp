@@ -3,43 +3,70 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
-#include "core/document/brush.hpp"
-#include "core/pipeline/maps_snapshot.hpp"
+#include "core/document/edit.hpp"
 
 namespace biotope {
 
-/// A computed map made ready to be painted on, off the window's thread.
-struct PaintGround {
-  LayerId layer;
-  /// What it was made from (computed_source).
+/// Everything a stroke needs, fixed when it begins: what it paints is then a pure function of its points.
+struct StrokePlan {
+  /// The layers it paints; the first is the one that is looked at.
+  std::vector<EditTarget> targets;
+  /// The computed map under each target.
+  std::vector<std::shared_ptr<const Grid<float>>> computed;
+  /// What the first map was made from.
   std::shared_ptr<const void> source;
-  std::shared_ptr<const Grid<float>> computed;
+  Brush brush;
+  std::optional<LayerId> clone_from;
+  /// The final map that 'clone' takes from.
+  std::shared_ptr<const Grid<float>> clone_source;
+  FilterMaps filters;
+  /// A bare_picture of the first target that nobody else holds; null: made when the stroke begins.
+  std::shared_ptr<Grid<float>> picture;
 };
 
-/// Painting on one layer as the person sees it at once: the computed map with the document's paint over it, kept up to date cell
-/// by cell while the brush moves, until the worker's own map answers.
+/// The map of a layer without paint, as it is shown.
+[[nodiscard]] std::shared_ptr<Grid<float>> bare_picture(LayerKind kind, const Grid<float>& computed);
+
+/// A stroke that ended.
+struct FinishedStroke {
+  /// Its undo step; null when nothing changed.
+  std::unique_ptr<Command> command;
+  StrokeEdit edit;
+};
+
+/// Painting as the person sees it at once: the map of one layer with the document's paint over it (shown_value), kept up to date
+/// cell by cell while the brush moves and tile by tile when paint changes otherwise (undo, fills), until the worker's own map
+/// answers.
 class PaintSession {
  public:
-  /// Starts a stroke on a layer over the snapshot's computed map; false when that map is not known yet. What is still shown from
-  /// the stroke before is kept when the layer is the same.
-  bool begin(const MapsSnapshot& snapshot, const Document& document, const LayerId& layer);
-  /// A ground that `begin` may use instead of making its own.
-  void prepare(PaintGround ground) { prepared_ = std::move(ground); }
-  /// True when `begin` would not have to make the ground of this layer.
-  [[nodiscard]] bool prepared(const MapsSnapshot& snapshot, const LayerId& layer) const;
-  /// Moves the brush to a cell; changes the document's layer and the shown map. Returns the cells that may have changed.
-  Rect move_to(Document& document, const Brush& brush, float x, float y);
-  /// Ends the stroke: its undo step, or null when nothing changed.
-  [[nodiscard]] std::unique_ptr<Command> finish(const Document& document);
+  /// Starts a stroke; false when a computed map is missing. The picture of the stroke before is kept when it is of the same layer
+  /// and map.
+  bool begin(const Document& document, StrokePlan plan);
+  /// Moves the brush to a cell; changes the document's layers and the shown map. Returns the cells that may have changed.
+  Rect move_to(Document& document, float x, float y, float pressure = 1);
+  /// Ends the stroke.
+  [[nodiscard]] FinishedStroke finish(const Document& document);
+  /// Brings the shown map up to date with the paint of a document; only tiles that differ are looked at.
+  void follow(const Document& document);
   /// Forgets the shown map (the worker's is there, or another landscape is).
   void close();
 
   [[nodiscard]] bool stroking() const { return stroke_.has_value(); }
+  /// The brush of the stroke in progress.
+  [[nodiscard]] const Brush& brush() const { return plan_.brush; }
   /// The map to show instead of the worker's for this layer; null when there is none.
   [[nodiscard]] const std::shared_ptr<Grid<float>>& shown() const { return shown_; }
   [[nodiscard]] const LayerId& layer() const { return layer_; }
-  /// The greatest value painted since the map was first shown.
+  /// True when a stroke on this layer over a map made from `source` would keep the picture.
+  [[nodiscard]] bool shows(const LayerId& layer, const std::shared_ptr<const void>& source) const {
+    return shown_ && layer_ == layer && source && plan_.source == source;
+  }
+  /// What the computed map under the shown one was made from.
+  [[nodiscard]] const std::shared_ptr<const void>& source() const { return plan_.source; }
+  /// The least and the greatest value painted since the map was first shown.
+  [[nodiscard]] float least() const { return least_; }
   [[nodiscard]] float greatest() const { return greatest_; }
   /// Cells that changed since this was last asked.
   [[nodiscard]] Rect take_changed();
@@ -48,16 +75,23 @@ class PaintSession {
   [[nodiscard]] std::uint64_t awaited() const { return awaited_; }
 
  private:
-  void refresh(const Document& document, const Rect& rect);
-  void refresh_painted_tiles(const Document& document);
+  /// Least and greatest of some cells.
+  struct ValueSpan {
+    float least = 0;
+    float greatest = 0;
+  };
+  /// Makes cells of the shown map again.
+  ValueSpan write(const Rect& rect, const PaintLayer* paint);
+  void note(const Rect& rect, const ValueSpan& span);
 
   LayerId layer_;
-  const Terrain* terrain_ = nullptr;
-  PaintGround prepared_;
-  std::shared_ptr<const Grid<float>> computed_;
+  StrokePlan plan_;
   std::shared_ptr<Grid<float>> shown_;
+  std::shared_ptr<const PaintLayer> paint_;  ///< what the shown map holds, between strokes
   std::optional<Stroke> stroke_;
+  std::vector<StrokePoint> points_;
   Rect changed_;
+  float least_ = 0;
   float greatest_ = 0;
   std::uint64_t awaited_ = 0;
 };

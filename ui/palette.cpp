@@ -15,16 +15,20 @@ struct Gesture {
   const char* what;
   const char* does;
 };
-constexpr std::array<Gesture, 10> gestures{{{"Left", "paint with a brush; with Select: ask on the map, orbit in 3D"},
-                                            {"Right", "menu of what is under the pointer; drag to look around in 3D"},
-                                            {"Middle, or Space + left", "move the map"},
-                                            {"Left with Select, dragged", "move the map"},
-                                            {"Wheel", "zoom at the pointer, come closer in 3D"},
-                                            {"Alt + left", "ask why on the map, orbit in 3D"},
-                                            {"W A S D over the 3D view", "fly; with Shift faster"},
-                                            {"Q E over the 3D view", "fly down and up"},
-                                            {"Space over the clock", "play and pause the day"},
-                                            {"Drop a file on the window", "open a scene or look at a terrain"}}};
+constexpr std::array<Gesture, 13> gestures{
+    {{"Left", "paint with a brush; with Select: ask on the map, orbit in 3D"},
+     {"Shift + left with a brush", "straight line from where the last stroke ended"},
+     {"Ctrl + left with a brush", "take the value under the pointer; with Clone: clone from here"},
+     {"Shift, Ctrl with a selection", "add to it, take from it; both: keep what is in both"},
+     {"Right", "menu of what is under the pointer; drag to look around in 3D"},
+     {"Middle, or Space + left", "move the map"},
+     {"Left with Select, dragged", "move the map"},
+     {"Wheel", "zoom at the pointer, come closer in 3D"},
+     {"Alt + left", "ask why on the map, orbit in 3D"},
+     {"W A S D over the 3D view", "fly; with Shift faster"},
+     {"Q E over the 3D view", "fly down and up"},
+     {"Space over the clock", "play and pause the day"},
+     {"Drop a file on the window", "open a scene or look at a terrain"}}};
 
 void draw_entry(const UiContext& ui, const EditorCommand& command, bool lit, bool scroll, bool& chosen) {
   const bool usable = enabled(command, ui.state);

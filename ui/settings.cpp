@@ -46,6 +46,7 @@ std::string settings_to_json(const Settings& settings) {
   object["contours"] = settings.contours;
   object["overlay_opacity"] = settings.overlay_opacity;
   object["quality"] = settings.quality;
+  object["history_megabytes"] = settings.history_megabytes;
   object["shortcuts"] = settings.shortcuts;
   return object.dump(2);
 }
@@ -86,6 +87,8 @@ Settings settings_from_json(std::string_view text) {
   settings.overlay_opacity = std::clamp(settings.overlay_opacity, 0.0F, 1.0F);
   read(object, "quality", settings.quality);
   settings.quality = std::clamp(settings.quality, 0.25F, 2.0F);
+  read(object, "history_megabytes", settings.history_megabytes);
+  settings.history_megabytes = std::clamp(settings.history_megabytes, 64, 65536);
   if (const auto shortcuts = object.find("shortcuts"); shortcuts != object.end() && shortcuts->is_object()) {
     for (const auto& [id, keys] : shortcuts->items()) {
       if (keys.is_string()) settings.shortcuts[id] = keys.get<std::string>();

@@ -28,7 +28,8 @@ struct Settings {
   bool first_steps_closed = false;
   bool contours = true;
   float overlay_opacity = 0.85F;
-  float quality = 1;  ///< of the 3D view
+  float quality = 1;             ///< of the 3D view
+  int history_megabytes = 1024;  ///< memory that undo may take
   /// Shortcuts that replace a command's own, by the command's id.
   std::map<std::string, std::string> shortcuts;
 };

@@ -25,7 +25,8 @@ double mean_cover(const CoverMap& cover) {
 double entry(const std::vector<double>& values, std::size_t index) { return index < values.size() ? values[index] : unknown; }
 
 void add_totals(const MapsSnapshot& snapshot, int species, const CoverMap* cover, SpeciesFigures& figures) {
-  const SurplusTotal total = surplus_total(*snapshot.web, species, cover, snapshot.terrain().cell_area(), snapshot.animals);
+  const SurplusTotal total = surplus_total(*snapshot.web, species, cover, snapshot.terrain().cell_area(), snapshot.animals,
+                                           snapshot.loss(species).get());
   figures.growth = total.growth;
   figures.eaten = total.eaten;
 }
@@ -86,6 +87,8 @@ ShortageMaps shortage_maps(const MapsSnapshot& snapshot) {
       maps[level->species[i]] = std::move(layer);
     }
   }
+  if (!snapshot.plant_shortages) return maps;
+  for (const PlantShortage& shortage : *snapshot.plant_shortages) maps[shortage.species] = shortage.where;
   return maps;
 }
 

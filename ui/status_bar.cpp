@@ -48,6 +48,8 @@ std::string value_text(const EditorState& state) {
   if (!entry.classes.empty() && value >= 0 && std::size_t(value) < entry.classes.size()) {
     return entry.title + ": " + entry.classes[std::size_t(value)];
   }
+  if (map.kind == MapKind::passage && value < 0) return entry.title + ": neither";
+  if (map.kind == MapKind::ground_change && std::isnan(value)) return entry.title + ": as it was";
   if (map.kind == MapKind::animal_regions) {
     return std::isfinite(value)
                ? entry.title + ": " + (value < 0 ? std::string("cannot be here") : "region " + format_count(value + 1))
@@ -105,6 +107,7 @@ void draw_status_bar(const UiContext& ui, ImVec2 size) {
     place.add(theme, std::to_string(int(std::lround(1 / state.frame_seconds))) + " fps", theme.muted);
   }
   if (state.history.bytes() > 1'000'000) place.add(theme, "undo " + format_bytes(state.history.bytes()), theme.muted);
+  if (state.recorder.recording()) place.add(theme, "recording: " + std::to_string(state.recorder.count()), theme.loss);
   const std::string work = work_text(state);
   if (!work.empty()) {
     draw_cancel(ui, place);

@@ -43,8 +43,9 @@ void draw_map_list(const UiContext& ui) {
   const FoodWeb* web = state.web();
   int species = -1;
   for (const MapEntry& entry : maps_of_tab(state.view.tab, web, -1)) {
-    const bool of_species =
-        web != nullptr && layer_of_map(entry.id, *web) && layer_of_map(entry.id, *web)->kind != LayerKind::resource;
+    const auto layer = web == nullptr ? std::nullopt : layer_of_map(entry.id, *web);
+    const bool of_species = layer && (layer->kind == LayerKind::plant_density || layer->kind == LayerKind::animal_density ||
+                                      layer->kind == LayerKind::loss);
     std::string label = entry.title;
     if (of_species) {
       if (species != entry.id.item) {
@@ -96,7 +97,8 @@ void draw_view_popup(const UiContext& ui) {
     ImGui::PushItemWidth(ui.theme.px(210));
     labelled_slider(ui.theme, "Opacity of the map", state.view.opacity, 0, 1, format_percent(state.view.opacity));
     ImGui::Separator();
-    for (const char* id : {"view.water", "view.contours", "view.trails", "view.herds", "view.plants", "view.hatch", "view.iso_lines"}) {
+    for (const char* id :
+         {"view.water", "view.contours", "view.trails", "view.herds", "view.plants", "view.hatch", "view.iso_lines"}) {
       const EditorCommand* command = ui.commands.find(id);
       bool on = checked(*command, state);
       if (ImGui::Checkbox(command->name.c_str(), &on)) run(*command, state);

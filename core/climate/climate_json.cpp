@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -12,6 +13,24 @@ namespace {
 constexpr Limits temperature_limits{-90, 60};
 /// Distance of the monthly minimum and maximum from the mean where a file gives none, deg C. Our choice.
 constexpr double default_half_range = 5;
+
+constexpr Limits precipitation_limits{0, 5000};
+constexpr Limits cloud_limits{0, 1};
+
+double within(double value, Limits limits) { return std::isfinite(value) ? std::clamp(value, limits.low, limits.high) : limits.low; }
+
+/// The climate as it can be read again: where editing has pushed a value over its limit or the minimum over the mean, the nearest that fits.
+Climate readable(Climate climate) {
+  for (std::size_t month = 0; month < climate.temperature_mean.size(); ++month) {
+    double& mean = climate.temperature_mean[month];
+    mean = within(mean, temperature_limits);
+    climate.temperature_min[month] = std::min(within(climate.temperature_min[month], temperature_limits), mean);
+    climate.temperature_max[month] = std::max(within(climate.temperature_max[month], temperature_limits), mean);
+    climate.precipitation[month] = within(climate.precipitation[month], precipitation_limits);
+    climate.cloud[month] = within(climate.cloud[month], cloud_limits);
+  }
+  return climate;
+}
 
 Json tidy(const MonthlyValues& values) {
   Json array = Json::array();
@@ -58,13 +77,14 @@ Result<Climate> parse_climate(std::string_view text, std::string_view origin) {
   reader.text("source", climate.source);
   reader.numbers("temperature_mean", climate.temperature_mean, temperature_limits, Presence::required);
   for (std::size_t month = 0; month < climate.temperature_mean.size(); ++month) {
-    climate.temperature_min[month] = climate.temperature_mean[month] - default_half_range;
-    climate.temperature_max[month] = climate.temperature_mean[month] + default_half_range;
+    const double mean = climate.temperature_mean[month];
+    climate.temperature_min[month] = std::max(mean - default_half_range, temperature_limits.low);
+    climate.temperature_max[month] = std::min(mean + default_half_range, temperature_limits.high);
   }
   reader.numbers("temperature_min", climate.temperature_min, temperature_limits);
   reader.numbers("temperature_max", climate.temperature_max, temperature_limits);
-  reader.numbers("precipitation", climate.precipitation, {0, 5000}, Presence::required);
-  reader.numbers("cloud", climate.cloud, {0, 1});
+  reader.numbers("precipitation", climate.precipitation, precipitation_limits, Presence::required);
+  reader.numbers("cloud", climate.cloud, cloud_limits);
   reader.number("reference_height", climate.reference_height, {-500, 9000}, Presence::required);
   reader.number("lapse_rate", climate.lapse_rate, {-20, 20});
   reader.finish();
@@ -73,10 +93,11 @@ Result<Climate> parse_climate(std::string_view text, std::string_view origin) {
   return climate;
 }
 
-std::string climate_to_json(const Climate& climate) {
+std::string climate_to_json(const Climate& edited) {
+  const Climate climate = readable(edited);
   Json json;
   json["name"] = climate.name;
-  json["title"] = climate.title;
+  if (!climate.title.empty()) json["title"] = climate.title;
   if (!climate.description.empty()) json["description"] = climate.description;
   if (!climate.source.empty()) json["source"] = climate.source;
   json["temperature_mean"] = tidy(climate.temperature_mean);

@@ -9,8 +9,10 @@
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <span>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -42,6 +44,14 @@ enum class Presence { required, optional };
   return decimal;
 }
 
+/// A text as it can stand in a message: cut where it is long, between two characters of UTF-8.
+[[nodiscard]] inline std::string clipped(std::string_view text, std::size_t most = 60) {
+  if (text.size() <= most) return std::string(text);
+  std::size_t end = most - 3;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) --end;
+  return std::string(text.substr(0, end)) + "...";
+}
+
 /// Number of single-character insertions, deletions and replacements between two words (Levenshtein).
 [[nodiscard]] inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -59,6 +69,8 @@ enum class Presence { required, optional };
 
 /// "; did you mean "x"?" with the word nearest to `word`, or nothing when none is near.
 [[nodiscard]] inline std::string nearest_word_hint(std::string_view word, std::span<const std::string> known) {
+  constexpr std::size_t longest_word = 60;
+  if (word.size() > longest_word) return {};
   std::size_t best = std::max<std::size_t>(2, word.size() / 3) + 1;
   std::string_view nearest;
   for (const std::string& candidate : known) {
@@ -71,8 +83,8 @@ enum class Presence { required, optional };
   return nearest.empty() ? std::string{} : "; did you mean \"" + std::string(nearest) + "\"?";
 }
 
-/// Reads one JSON object key by key and checks every value. The first problem is kept in a string that nested readers share; it says
-/// where (a file and what is described there), which key and what was expected. `finish` refuses keys nobody asked for.
+/// Reads one JSON object key by key and checks every value. The first problem is kept in a string that nested readers share; it
+/// says where (a file and what is described there), which key and what was expected. `finish` refuses keys nobody asked for.
 class JsonReader {
  public:
   /// `where` begins every message; `prefix` is put before keys of nested objects, such as "shape.".
@@ -148,7 +160,8 @@ class JsonReader {
   }
 
   /// One of a list of words.
-  void word(std::string_view key, std::string& target, std::span<const std::string> words, Presence presence = Presence::optional) {
+  void word(std::string_view key, std::string& target, std::span<const std::string> words,
+            Presence presence = Presence::optional) {
     std::string expected = "one of";
     for (const std::string& allowed : words) expected += (&allowed == words.data() ? " \"" : ", \"") + allowed + "\"";
     const Json* const found = value(key, presence, expected);
@@ -174,8 +187,8 @@ class JsonReader {
     }
   }
 
-  /// A reader of an object within this one, or of an empty object when the key is absent. Messages put "key." before its keys, unless
-  /// they are `unprefixed`.
+  /// A reader of an object within this one, or of an empty object when the key is absent. Messages put "key." before its keys,
+  /// unless they are `unprefixed`.
   [[nodiscard]] JsonReader nested(std::string_view key, Presence presence, bool unprefixed = false) {
     static const Json empty = Json::object();
     const Json* found = value(key, presence, "an object {...}");
@@ -199,12 +212,16 @@ class JsonReader {
   [[nodiscard]] static std::string shown(const Json& value) {
     std::string line;
     if (value.is_array()) {
-      for (const Json& item : value) line += (line.empty() ? "[" : ", ") + shown(item);
+      constexpr std::size_t enough = 60;
+      for (const Json& item : value) {
+        if (line.size() > enough) break;
+        line += (line.empty() ? "[" : ", ") + shown(item);
+      }
       line = line.empty() ? "[]" : line + "]";
     } else {
       line = value.dump(-1, ' ', false, Json::error_handler_t::replace);
     }
-    return line.size() > 60 ? line.substr(0, 57) + "..." : line;
+    return clipped(line);
   }
   [[nodiscard]] static std::string shown(Limits limits) {
     std::ostringstream stream;
@@ -216,7 +233,7 @@ class JsonReader {
   void note(std::string message) {
     if (problem_.empty()) problem_ = std::move(message);
   }
-  [[nodiscard]] std::string quoted(std::string_view key) const { return "\"" + prefix_ + std::string(key) + "\""; }
+  [[nodiscard]] std::string quoted(std::string_view key) const { return "\"" + prefix_ + clipped(key) + "\""; }
   [[nodiscard]] static bool within(const Json& number, Limits limits) {
     const double value = number.get<double>();
     return value >= limits.low && value <= limits.high;
@@ -232,25 +249,52 @@ class JsonReader {
   std::vector<std::string> known_;
 };
 
-/// JSON from text. Broken syntax is an Error that names `origin`, line and column; a key written twice in one object is one too, since
-/// one of the two values would be lost without a word.
+/// More than any file of ours has: objects and lists within each other, keys in one object, values in all. A file beyond is
+/// damage or a trap, and is refused before it takes time and memory. Our choice.
+inline constexpr int deepest_json = 32;
+inline constexpr std::size_t most_json_keys = 10000;
+inline constexpr std::size_t most_json_values = 4'000'000;
+
+/// Watches JSON while it is parsed: counts, and keeps the first key that is written twice in one object.
+class JsonWatch {
+ public:
+  /// Throws std::length_error, whose text says what is too much.
+  void see(int depth, Json::parse_event_t event, const Json& parsed) {
+    using Event = Json::parse_event_t;
+    if (depth > deepest_json) throw std::length_error("is nested more than " + std::to_string(deepest_json) + " deep");
+    if (++values_ > most_json_values) throw std::length_error("holds more than " + std::to_string(most_json_values) + " values");
+    if (event == Event::object_start) open_objects_.emplace_back();
+    if (event == Event::object_end) open_objects_.pop_back();
+    if (event == Event::key) see_key(parsed.get_ref<const std::string&>());
+  }
+  [[nodiscard]] const std::string& repeated() const { return repeated_; }
+
+ private:
+  void see_key(const std::string& key) {
+    std::set<std::string>& keys = open_objects_.back();
+    if (!keys.insert(key).second && repeated_.empty()) repeated_ = key;
+    if (keys.size() > most_json_keys)
+      throw std::length_error("has an object of more than " + std::to_string(most_json_keys) + " keys");
+  }
+
+  std::vector<std::set<std::string>> open_objects_;
+  std::size_t values_ = 0;
+  std::string repeated_;
+};
+
+/// JSON from text. Broken syntax is an Error that names `origin`, line and column; a key written twice in one object is one too,
+/// since one of the two values would be lost without a word.
 [[nodiscard]] inline Result<Json> parse_json(std::string_view text, std::string_view origin) {
-  std::vector<std::vector<std::string>> open_objects;
-  std::string repeated;
-  const auto watch = [&](int, Json::parse_event_t event, Json& parsed) {
-    if (event == Json::parse_event_t::object_start) open_objects.emplace_back();
-    if (event == Json::parse_event_t::object_end) open_objects.pop_back();
-    if (event == Json::parse_event_t::key) {
-      std::vector<std::string>& keys = open_objects.back();
-      const auto key = parsed.get<std::string>();
-      if (std::ranges::find(keys, key) != keys.end() && repeated.empty()) repeated = key;
-      keys.push_back(key);
-    }
+  JsonWatch watch;
+  const auto see = [&](int depth, Json::parse_event_t event, Json& parsed) {
+    watch.see(depth, event, parsed);
     return true;
   };
   try {
-    Json json = Json::parse(text.begin(), text.end(), watch);
-    if (!repeated.empty()) return fail(std::string(origin) + ": key \"" + repeated + "\" is written twice in one object");
+    Json json = Json::parse(text.begin(), text.end(), see);
+    if (!watch.repeated().empty()) {
+      return fail(std::string(origin) + ": key \"" + clipped(watch.repeated()) + "\" is written twice in one object");
+    }
     return json;
   } catch (const Json::parse_error& error) {
     const std::string_view before = text.substr(0, std::min(text.size(), error.byte > 0 ? error.byte - 1 : 0));
@@ -260,6 +304,8 @@ class JsonReader {
                 ": not valid JSON; look for a missing comma, quote or bracket here");
   } catch (const Json::out_of_range&) {
     return fail(std::string(origin) + ": a number is too large to be read");
+  } catch (const std::length_error& error) {
+    return fail(std::string(origin) + ": " + error.what() + ", more than such a file can have");
   }
 }
 
@@ -269,7 +315,8 @@ template <class Path>
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return fail(file.string() + ": cannot be opened; check that it exists and may be read");
   // A folder opens as a file does, but has nothing to read.
-  if (stream.peek() == std::ifstream::traits_type::eof() && !stream.eof()) return fail(file.string() + ": is not a file that can be read");
+  if (stream.peek() == std::ifstream::traits_type::eof() && !stream.eof())
+    return fail(file.string() + ": is not a file that can be read");
   stream.clear();
   std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   if (stream.bad()) return fail(file.string() + ": reading failed before the end of the file");

@@ -1,140 +1,195 @@
 #include "core/document/brush.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
-#include <string>
 #include <utility>
+
+#include "core/base/parallel.hpp"
+#include "core/document/brush_paint.hpp"
+#include "core/document/brush_shape.hpp"
 
 namespace biotope {
 
 namespace {
 
-/// Weight of a dab at a distance from its centre: 1 inside the hard core, then a smooth fall to 0 at the radius.
-float falloff(const Brush& brush, float distance) {
-  const float t = distance / brush.radius;
-  if (t >= 1) return 0;
-  const float core = std::clamp(brush.hardness, 0.0F, 0.99F);
-  if (t <= core) return 1;
-  const float u = (t - core) / (1 - core);
-  return 1 - u * u * (3 - 2 * u);
+/// Where strokes are cut, cells: farther points are taken as lying there.
+constexpr float farthest_point = 1e6F;
+
+/// True when nobody else holds the layer, so that it may be changed in place. `ours`: how many of its owners are we.
+bool held_by_us_only(const std::shared_ptr<PaintLayer>& layer, long ours) {
+  if (layer.use_count() != ours) return false;
+  // Taking and leaving a share orders us after the last release of another thread, so that its reads are over.
+  [[maybe_unused]] const std::shared_ptr<PaintLayer> share = layer;
+  return true;
 }
 
-/// Covers a cell so that its final value becomes `wanted`. Coverage only grows, so that paint stays opaque where it was.
-Paint covered_to(Paint old, float computed, float wanted, float weight) {
-  const float coverage = std::max(old.coverage, weight);
-  if (coverage <= 0) return old;
-  return {computed + (wanted - computed) / coverage, coverage};
-}
-
-float mean_around(const PaintLayer& layer, const Grid<float>& computed, int x, int y) {
-  float sum = 0;
-  for (int dy = -1; dy <= 1; ++dy) {
-    for (int dx = -1; dx <= 1; ++dx) {
-      const int cx = std::clamp(x + dx, 0, computed.width() - 1);
-      const int cy = std::clamp(y + dy, 0, computed.height() - 1);
-      sum += painted(computed(cx, cy), layer(cx, cy));
-    }
+/// Numbers of the tiles that meet a rectangle inside the map.
+std::vector<std::size_t> tiles_of(const Grid<float>& map, Rect area) {
+  const auto columns = std::size_t((map.width() + tile_side - 1) / tile_side);
+  std::vector<std::size_t> tiles;
+  for (int ty = area.y0 / tile_side; ty <= (area.y1 - 1) / tile_side; ++ty) {
+    for (int tx = area.x0 / tile_side; tx <= (area.x1 - 1) / tile_side; ++tx)
+      tiles.push_back(std::size_t(ty) * columns + std::size_t(tx));
   }
-  return sum / 9;
+  return tiles;
 }
 
-struct CellContext {
-  const PaintLayer& before;
-  const Grid<float>& computed;
-  int x;
-  int y;
-};
+Rect rect_of_tile(const Grid<float>& map, std::size_t tile) {
+  const auto columns = std::size_t((map.width() + tile_side - 1) / tile_side);
+  const int x0 = int(tile % columns) * tile_side;
+  const int y0 = int(tile / columns) * tile_side;
+  return intersection(map.rect(), {x0, y0, x0 + tile_side, y0 + tile_side});
+}
 
-Paint dabbed(const Brush& brush, const CellContext& at, Paint old, float weight) {
-  const float amount = weight * std::clamp(brush.strength, 0.0F, 1.0F);
-  const float computed = at.computed(at.x, at.y);
-  const float now = painted(computed, old);
-  switch (brush.mode) {
-    case BrushMode::add:
-      return now >= brush.value ? old : covered_to(old, computed, now + (brush.value - now) * amount, 1);
-    case BrushMode::subtract:
-      return now <= brush.floor ? old : covered_to(old, computed, now + (brush.floor - now) * amount, 1);
-    case BrushMode::set:
-      return {old.coverage > 0 ? old.value + (brush.value - old.value) * amount : brush.value,
-              old.coverage + (1 - old.coverage) * amount};
-    case BrushMode::smooth:
-      return covered_to(old, computed, now + (mean_around(at.before, at.computed, at.x, at.y) - now) * amount, 1);
-    case BrushMode::restore_computed: {
-      const float coverage = old.coverage * (1 - amount);
-      return coverage < 0.004F ? Paint{} : Paint{old.value, coverage};
-    }
+/// Weights of a dab in the tiles it meets; tiles without any are left out.
+std::vector<TileWeights> dab_weights(const Grid<float>& map, Rect area, const DabShape& shape, const CellFilter& filter) {
+  const std::vector<std::size_t> tiles = tiles_of(map, area);
+  std::vector<std::optional<TileWeights>> found(tiles.size());
+  parallel_each(tiles.size(), [&](std::size_t i) {
+    if (filter.blocks_tile(tiles[i])) return;
+    found[i] = tile_weights(tiles[i], intersection(area, rect_of_tile(map, tiles[i])), [&](int x, int y) {
+      const float weight = shape(x, y);
+      return weight > 0 ? weight * filter(x, y) : 0.0F;
+    });
+  });
+  std::vector<TileWeights> weights;
+  for (auto& tile : found) {
+    if (tile) weights.push_back(std::move(*tile));
   }
-  return old;
+  return weights;
 }
 
-std::string stroke_name(const LayerId& layer) { return "Paint " + layer.name; }
+std::vector<StrokeTarget> one_target(LayerId layer, const Grid<float>* computed) {
+  StrokeTarget target;
+  target.layer = std::move(layer);
+  target.computed = computed;
+  return {std::move(target)};
+}
 
 }  // namespace
 
-Stroke::Stroke(LayerId layer, const Grid<float>* computed) : layer_(std::move(layer)), computed_(computed) {}
-
-Rect Stroke::dab(Document& document, const Brush& brush, float x, float y) {
-  const int reach = int(std::ceil(brush.radius));
-  const Rect touched = intersection(computed_->rect(), {int(std::floor(x)) - reach, int(std::floor(y)) - reach,
-                                                        int(std::ceil(x)) + reach + 1, int(std::ceil(y)) + reach + 1});
-  if (touched.empty() || brush.radius <= 0) return {};
-  auto& slot = document.layers[layer_];
-  const PaintLayer before = slot ? *slot : PaintLayer(computed_->width(), computed_->height());
-  auto layer = std::make_shared<PaintLayer>(before);
-  for (int ty = touched.y0 / tile_side; ty <= (touched.y1 - 1) / tile_side; ++ty) {
-    for (int tx = touched.x0 / tile_side; tx <= (touched.x1 - 1) / tile_side; ++tx) {
-      const std::size_t index = layer->tile_index(tx * tile_side, ty * tile_side);
-      before_.try_emplace(index, before.tile(index));
-      auto& tile = layer->edit_tile(index);
-      const Rect cells = intersection(touched, layer->tile_rect(index));
-      for (int cy = cells.y0; cy < cells.y1; ++cy) {
-        for (int cx = cells.x0; cx < cells.x1; ++cx) {
-          const float weight = falloff(brush, std::hypot(float(cx) - x, float(cy) - y));
-          Paint& cell = tile[PaintLayer::offset(cx, cy)];
-          if (weight > 0) cell = dabbed(brush, {before, *computed_, cx, cy}, cell, weight);
-        }
-      }
-    }
+std::string layer_words(const LayerId& layer) {
+  switch (layer.kind) {
+    case LayerKind::geology:
+      return "geology";
+    case LayerKind::loss:
+      return "loss of " + layer.name;
+    case LayerKind::passage:
+      return "passages";
+    case LayerKind::ground:
+      return "ground";
+    case LayerKind::resource:
+    case LayerKind::plant_density:
+    case LayerKind::animal_density:
+      break;
   }
-  slot = std::move(layer);
-  return touched;
+  return layer.name;
 }
 
-Rect Stroke::move_to(Document& document, const Brush& brush, float x, float y) {
+std::string stroke_name(const std::vector<LayerId>& layers) {
+  if (layers.empty()) return "Paint";
+  const std::string more = layers.size() > 1 ? " and " + std::to_string(layers.size() - 1) + " more" : "";
+  return "Paint " + layer_words(layers.front()) + more;
+}
+
+Stroke::Stroke(LayerId layer, const Grid<float>* computed) : Stroke(one_target(std::move(layer), computed), nullptr) {}
+
+Stroke::Stroke(std::vector<StrokeTarget> targets, const FilterMaps* maps)
+    : targets_(std::move(targets)), maps_(maps), held_(targets_.size()) {}
+
+Rect Stroke::dab(Document& document, const Brush& brush, float x, float y, float pressure) {
+  if (targets_.empty()) return {};
+  const Grid<float>& map = *targets_.front().computed;
+  const DabShape shape(brush, {x, y, pressure});
+  const Rect area = intersection(map.rect(), shape.reach());
+  if (area.empty()) return {};
+  const auto selection = document.selection;
+  const CellFilter filter(brush.filter, maps_, selection.get());
+  const std::vector<TileWeights> tiles = dab_weights(map, area, shape, filter);
+  Rect changed;
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    assert(targets_[i].computed->rect() == map.rect());
+    if (is_locked(document, targets_[i].layer)) continue;
+    changed = bounding(changed, paint(document, i, painter_of(brush, targets_[i], pressure), tiles));
+  }
+  return changed;
+}
+
+Rect Stroke::paint(Document& document, std::size_t target, const LayerPainter& painter, const std::vector<TileWeights>& tiles) {
+  const auto found = document.layers.find(targets_[target].layer);
+  const PaintLayer* before = found == document.layers.end() ? nullptr : found->second.get();
+  assert(before == nullptr || before->rect() == painter.computed->rect());
+  std::vector<PaintLayer::TilePointer> made(tiles.size());
+  parallel_each(tiles.size(), [&](std::size_t i) { made[i] = painted_tile(painter, before, tiles[i]); });
+  const auto same = [&](std::size_t i) { return made[i] == (before == nullptr ? nullptr : before->tile(tiles[i].tile)); };
+  std::size_t first = 0;
+  while (first < made.size() && same(first)) ++first;
+  if (first == made.size()) return {};
+
+  Held& held = held_[target];
+  auto& slot = document.layers[targets_[target].layer];
+  if (slot == nullptr || slot != held.own || !held_by_us_only(held.own, 2)) {
+    held.own = slot ? std::make_shared<PaintLayer>(*slot)
+                    : std::make_shared<PaintLayer>(painter.computed->width(), painter.computed->height());
+    slot = held.own;
+  }
+  Rect changed;
+  bool blank = false;
+  for (std::size_t i = first; i < made.size(); ++i) {
+    const std::size_t tile = tiles[i].tile;
+    if (made[i] == slot->tile(tile)) continue;
+    held.before.try_emplace(tile, slot->tile(tile));
+    blank = blank || !made[i];
+    held.own->set_tile(tile, std::move(made[i]));
+    changed = bounding(changed, tiles[i].cells);
+  }
+  if (blank && slot->bytes() == 0) document.layers.erase(targets_[target].layer);
+  return changed;
+}
+
+Rect Stroke::move_to(Document& document, const Brush& brush, float x, float y, float pressure) {
+  if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(pressure)) return {};
+  const StrokePoint end{std::clamp(x, -farthest_point, farthest_point), std::clamp(y, -farthest_point, farthest_point), pressure};
   if (!last_) {
-    last_ = {x, y};
-    return dab(document, brush, x, y);
+    last_ = end;
+    return dab(document, brush, end.x, end.y, end.pressure);
   }
-  const float spacing = std::max(0.5F, brush.radius * 0.25F);
-  const float dx = x - (*last_)[0];
-  const float dy = y - (*last_)[1];
-  const int steps = int(std::hypot(dx, dy) / spacing);
+  const StrokePoint start = *last_;
+  const double dx = double(end.x) - double(start.x);
+  const double dy = double(end.y) - double(start.y);
+  const double length = std::hypot(dx, dy);
   Rect touched;
-  for (int step = 1; step <= steps; ++step) {
-    const float t = float(step) * spacing / std::hypot(dx, dy);
-    touched = bounding(touched, dab(document, brush, (*last_)[0] + t * dx, (*last_)[1] + t * dy));
-  }
-  if (steps > 0) {
-    const float t = float(steps) * spacing / std::hypot(dx, dy);
-    last_ = {(*last_)[0] + t * dx, (*last_)[1] + t * dy};
+  for (double way = dab_spacing(brush, last_->pressure); way <= length; way += dab_spacing(brush, last_->pressure)) {
+    const double t = way / length;
+    last_ = StrokePoint{float(double(start.x) + t * dx), float(double(start.y) + t * dy),
+                        start.pressure + float(t) * (end.pressure - start.pressure)};
+    touched = bounding(touched, dab(document, brush, last_->x, last_->y, last_->pressure));
   }
   return touched;
 }
 
 std::unique_ptr<Command> Stroke::finish(const Document& document) {
-  std::vector<PaintCommand::TileChange> changes;
-  const auto found = document.layers.find(layer_);
-  for (const auto& [index, before] : before_) {
-    auto after = found == document.layers.end() ? nullptr : found->second->tile(index);
-    const bool blank = after && std::all_of(after->begin(), after->end(), [](Paint p) { return p == Paint{}; });
-    if (blank && !before) continue;
-    if (before && after && *before == *after) continue;
-    if (before != after) changes.push_back({index, before, std::move(after)});
+  std::vector<std::unique_ptr<Command>> commands;
+  std::vector<LayerId> layers;
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    const LayerId& layer = targets_[i].layer;
+    const auto found = document.layers.find(layer);
+    std::vector<PaintCommand::TileChange> changes;
+    for (const auto& [tile, before] : held_[i].before) {
+      auto after = found == document.layers.end() ? nullptr : found->second->tile(tile);
+      const bool same = before == after || (before && after && *before == *after);
+      if (!same) changes.push_back({tile, before, std::move(after)});
+    }
+    held_[i] = {};
+    if (changes.empty()) continue;
+    commands.push_back(std::make_unique<PaintCommand>(stroke_name({layer}), layer, std::move(changes)));
+    layers.push_back(layer);
   }
-  before_.clear();
   last_.reset();
-  if (changes.empty()) return nullptr;
-  return std::make_unique<PaintCommand>(stroke_name(layer_), layer_, std::move(changes));
+  if (commands.empty()) return nullptr;
+  if (commands.size() == 1) return std::move(commands.front());
+  return std::make_unique<GroupCommand>(stroke_name(layers), std::move(commands));
 }
 
 }  // namespace biotope

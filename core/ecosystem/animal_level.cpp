@@ -16,20 +16,24 @@ namespace {
 
 const AnimalTraits& traits(const FoodWeb& web, int species) { return web.species[std::size_t(species)].animal(); }
 
-/// Regions that are known to be those of animals with these limits, or null.
-std::shared_ptr<const ConfinementRegions> known_regions(const AnimalLevelInput& input, const Mobility& mobility) {
-  const auto regions_in = [&](const AnimalLevel& level) -> std::shared_ptr<const ConfinementRegions> {
-    for (std::size_t i = 0; i < level.species.size(); ++i) {
-      if (same_obstacles(mobility, level.basis.mobility[i])) return level.regions[i];
-    }
-    return nullptr;
-  };
-  for (const auto& below : input.below) {
-    if (auto regions = regions_in(*below)) return regions;
+/// The regions of animals with these limits in a level, or null.
+std::shared_ptr<const ConfinementRegions> regions_in(const AnimalLevel& level, const Mobility& mobility) {
+  for (std::size_t i = 0; i < level.species.size(); ++i) {
+    if (same_obstacles(mobility, level.basis.mobility[i])) return level.regions[i];
   }
-  if (!input.previous) return nullptr;
-  auto regions = regions_in(*input.previous);
-  return regions && same_blocked_cells(input.ground, input.previous->basis.ground, mobility) ? regions : nullptr;
+  return nullptr;
+}
+
+/// Regions of animals with these limits; what was found before is taken over as far as it is the same.
+std::shared_ptr<const ConfinementRegions> regions_for(const AnimalLevelInput& input, const Mobility& mobility) {
+  for (const auto& below : input.below) {
+    if (auto regions = regions_in(*below, mobility)) return regions;
+  }
+  const auto before = input.previous ? regions_in(*input.previous, mobility) : nullptr;
+  if (!before) return std::make_shared<const ConfinementRegions>(confinement_regions(input.ground, mobility));
+  const Ground& ground_before = input.previous->basis.ground;
+  if (same_blocked_cells(input.ground, ground_before, mobility)) return before;
+  return std::make_shared<const ConfinementRegions>(confinement_regions(input.ground, mobility, ground_before, *before));
 }
 
 /// One map of regions for every kind of obstacles, shared by the species that meet the same.
@@ -43,10 +47,7 @@ void find_regions(const AnimalLevelInput& input, AnimalLevel& level) {
     if (found == kinds.end()) kinds.push_back(mobility);
   }
   std::vector<std::shared_ptr<const ConfinementRegions>> maps(kinds.size());
-  parallel_each(kinds.size(), [&](std::size_t i) {
-    maps[i] = known_regions(input, kinds[i]);
-    if (!maps[i]) maps[i] = std::make_shared<const ConfinementRegions>(confinement_regions(input.ground, kinds[i]));
-  });
+  parallel_each(kinds.size(), [&](std::size_t i) { maps[i] = regions_for(input, kinds[i]); });
   for (const std::size_t kind : kind_of_species) level.regions.push_back(maps[kind]);
 }
 
@@ -62,30 +63,98 @@ void find_partition(const AnimalLevelInput& input, AnimalLevel& level) {
     return before.terrain == input.ground.terrain && before.derivatives == input.ground.derivatives &&
            before.hydrology == input.ground.hydrology;
   };
-  if (previous != nullptr && previous->partition == level.partition && same_water(previous->basis.ground)) {
+  const bool known_shore = previous != nullptr && same_water(previous->basis.ground);
+  if (known_shore && previous->partition == level.partition) {
     level.basis.banks = previous->basis.banks;
   } else {
-    level.basis.banks = find_banks(input.ground, *level.partition);
+    level.basis.banks = find_banks(input.ground, *piece_runs(level), known_shore ? previous->basis.banks->shore : nullptr);
   }
+}
+
+/// Whether the level's foods lose the same of their growth, by the same paint.
+bool same_losses(const AnimalLevelInput& input, std::span<const std::shared_ptr<const PaintLayer>> before) {
+  const std::vector<char> edible = edible_to_level(input.web, input.level);
+  for (int species = 0; species < int(edible.size()); ++species) {
+    if (edible[std::size_t(species)] && loss_of(before, species) != loss_of(input.losses, species)) return false;
+  }
+  return true;
+}
+
+/// Whether herds come by the same places.
+bool same_waypoints(const Ground& a, const Ground& b) {
+  if (a.places == b.places) return true;
+  const Places none;
+  const Places& one = a.places ? *a.places : none;
+  const Places& other = b.places ? *b.places : none;
+  return one.waypoints == other.waypoints && one.exits == other.exits;
+}
+
+/// Marks the tiles where two layers (null: blank) are not the same.
+template <class T>
+void mark_differing(const TiledMap<T>* before, const TiledMap<T>* after, std::vector<char>& changed) {
+  if (before == after) return;
+  const T background = before ? before->background() : T{};
+  const bool same_background = background == (after ? after->background() : T{});
+  for (std::size_t i = 0; i < changed.size(); ++i) {
+    const auto* a = before ? before->tile(i).get() : nullptr;
+    const auto* b = after ? after->tile(i).get() : nullptr;
+    if (a != b || (a == nullptr && !same_background)) changed[i] = 1;
+  }
+}
+
+/// By tile: whether the plants that the level eats, or what is lost of them, differ from those of the previous computation. Empty
+/// when that had other kinds of maps, so that nothing of it can be taken over.
+std::vector<char> changed_tiles(const AnimalLevelInput& input) {
+  if (!input.previous || !input.previous->basis.supply) return {};
+  const AnimalLevelBasis& before = input.previous->basis;
+  if (before.plants.size() != input.plants.size()) return {};
+  const std::vector<char> edible = edible_to_level(input.web, input.level);
+  std::vector<char> changed;
+  for (std::size_t i = 0; i < input.plants.size(); ++i) {
+    const int species = input.web.levels[0][i];
+    if (!edible[std::size_t(species)]) continue;
+    const CoverMap* one = before.plants[i].get();
+    const CoverMap* other = input.plants[i].get();
+    if (one == nullptr || other == nullptr || one->rect() != other->rect()) return {};
+    changed.resize(other->tile_count());
+    mark_differing(one, other, changed);
+    mark_differing(loss_of(before.losses, species), loss_of(input.losses, species), changed);
+  }
+  return changed;
 }
 
 /// Nodes, and what the levels below left.
 void find_resources(const AnimalLevelInput& input, AnimalLevel& level, const TaskContext& context) {
   const AnimalLevel* previous = input.previous.get();
   if (previous != nullptr && previous->basis.banks == level.basis.banks && previous->partition == level.partition &&
-      previous->basis.plants == level.basis.plants && previous->basis.below == level.basis.below) {
+      previous->basis.plants == level.basis.plants && previous->basis.below == level.basis.below &&
+      same_losses(input, previous->basis.losses) && same_waypoints(input.ground, previous->basis.ground)) {
     level.prey = previous->prey;
     level.available = previous->available;
     level.graph = previous->graph;
+    level.basis.supply = previous->basis.supply;
     return;
   }
-  const PresentTiles tiles(input.plants);
-  const ResourceSources sources{input.web,    input.level, input.ground, *level.partition,
-                                input.plants, input.below, tiles,        *level.basis.banks};
+  const PresentTiles tiles(input.plants, plant_losses(input.web, input.losses));
+  const std::vector<char> changed = changed_tiles(input);
+  const std::shared_ptr<const RunTable> pieces = piece_runs(level);
+  auto found = std::make_shared<SupplyTiles>();
+  const ResourceSources sources{.web = input.web,
+                                .level = input.level,
+                                .ground = input.ground,
+                                .partition = *level.partition,
+                                .plants = input.plants,
+                                .below = input.below,
+                                .tiles = tiles,
+                                .banks = *level.basis.banks,
+                                .losses = input.losses,
+                                .pieces = *pieces,
+                                .reuse = {changed.empty() ? nullptr : previous->basis.supply.get(), changed, found.get()}};
   const std::vector<PreySupply> prey = find_prey(sources);
   for (const PreySupply& supply : prey) level.prey.push_back({supply.species, supply.region, supply.piece, supply.available});
   level.available = available_supply(sources, prey);
   level.graph = std::make_shared<const GraphLevel>(build_resource_nodes(sources, prey, context));
+  level.basis.supply = std::move(found);
 }
 
 std::vector<std::vector<double>> populations(const AnimalCompetition& competition, const AnimalLevel& level) {
@@ -185,7 +254,9 @@ Result<AnimalLevel> compute_animal_level(const AnimalLevelInput& input, const Ta
   level.desired = normalised(input.desired);
 
   context.report("confinement regions", 0);
-  level.basis = {input.ground, {}, {input.plants.begin(), input.plants.end()}, {input.below.begin(), input.below.end()}, nullptr};
+  level.basis = {
+      input.ground, {},     {input.plants.begin(), input.plants.end()}, {input.below.begin(), input.below.end()}, input.losses,
+      nullptr,      nullptr};
   for (const int species : level.species) level.basis.mobility.push_back(mobility_of(traits(input.web, species)));
   find_regions(input, level);
   if (context.stopped()) return fail("stopped");

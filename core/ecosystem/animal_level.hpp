@@ -23,8 +23,9 @@ struct Herd {
   int size = 0;     ///< individuals
 };
 
-struct BankStretches;
 struct AnimalLevel;
+struct BankStretches;
+struct SupplyTiles;
 
 /// What a level was computed from, so that the next one can take over what did not change.
 struct AnimalLevelBasis {
@@ -33,7 +34,10 @@ struct AnimalLevelBasis {
   std::vector<Mobility> mobility;
   std::vector<std::shared_ptr<const CoverMap>> plants;
   std::vector<std::shared_ptr<const AnimalLevel>> below;
+  std::vector<std::shared_ptr<const PaintLayer>> losses;
+  /// The banks, and what was summed up tile by tile.
   std::shared_ptr<const BankStretches> banks;
+  std::shared_ptr<const SupplyTiles> supply;
 };
 
 /// One animal level after competition and paint.
@@ -48,8 +52,8 @@ struct AnimalLevel {
   /// Individuals by species and region: as competition made them, and with paint.
   std::vector<std::vector<double>> computed_population;
   std::vector<std::vector<double>> population;
-  /// Where in its regions paint draws a species: by species and node of `graph`, the painted density on the node over the mean of its
-  /// region (1 where nothing is painted). Empty for a species without paint.
+  /// Where in its regions paint draws a species: by species and node of `graph`, the painted density on the node over the mean of
+  /// its region (1 where nothing is painted). Empty for a species without paint.
   std::vector<std::vector<float>> attraction;
   std::vector<Herd> herds;
   /// Shares of the level's individuals; `desired` is empty when none was asked.
@@ -93,6 +97,8 @@ struct AnimalLevelInput {
   std::vector<double> desired;
   /// Paint on each species' density (individuals / km2); null where none.
   std::vector<std::shared_ptr<const PaintLayer>> paint;
+  /// Share of each species' yearly growth lost to external events (0..1 x coverage), by number in the web; null or missing: none.
+  std::vector<std::shared_ptr<const PaintLayer>> losses = {};
   std::uint64_t seed = 1;
   /// The level as it was computed before with the same food web (desired shares apart), or null. Regions, partition, banks and
   /// nodes whose inputs are the same are taken over, as the same objects; the result is equal to the bit to one from scratch.

@@ -1,6 +1,7 @@
 #include "core/ecosystem/animal_paint.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "core/base/parallel.hpp"
 
@@ -69,33 +70,59 @@ TileChange change_of_tile(const ConfinementRegions& regions, std::span<const dou
 
 namespace {
 
-/// Adds what one tile's paint changes to the density sums of the nodes under it (individuals per km2, summed over cells).
-void add_tile_to_nodes(const GraphLevel& graph, const ConfinementRegions& regions, std::span<const double> computed, const PaintLayer& paint,
-                       std::size_t tile, std::vector<double>& change) {
+/// Change of the density sum (individuals per km2, over cells) of one node under one tile's paint.
+struct NodeChange {
+  std::int32_t node = 0;
+  double density = 0;
+};
+
+void add_change(std::vector<NodeChange>& changes, std::int32_t node, double density) {
+  auto found = std::find_if(changes.rbegin(), changes.rend(), [&](const NodeChange& own) { return own.node == node; });
+  if (found != changes.rend()) {
+    found->density += density;
+  } else {
+    changes.push_back({node, density});
+  }
+}
+
+/// What one tile's paint changes at the nodes under it.
+std::vector<NodeChange> node_changes(const GraphLevel& graph, const ConfinementRegions& regions, std::span<const double> computed,
+                                     const PaintLayer& paint, std::size_t tile) {
+  std::vector<NodeChange> changes;
   const Rect rect = paint.tile_rect(tile);
   const PaintLayer::Tile& cells = *paint.tile(tile);
+  std::array<std::int32_t, tile_side> nodes{};
+  const auto row_of_nodes = std::span(nodes).first(std::size_t(rect.width()));
   for (int y = rect.y0; y < rect.y1; ++y) {
-    for (int x = rect.x0; x < rect.x1; ++x) {
-      const Paint& cell = cells[PaintLayer::offset(x, y)];
-      const std::int32_t region = regions.label(x, y);
-      if (cell.coverage <= 0 || region < 0) continue;
-      const auto uniform = float(uniform_density(regions.regions[std::size_t(region)], computed[std::size_t(region)]));
-      const double difference = double(std::max(0.0F, painted(uniform, cell)) - uniform);
-      for (const auto& nodes : graph.node_of_cell) {
-        const std::int32_t node = nodes ? (*nodes)(x, y) : -1;
-        if (node >= 0) change[std::size_t(node)] += difference;
+    const Paint* row = cells.data() + PaintLayer::offset(rect.x0, y);
+    if (std::all_of(row, row + rect.width(), [](const Paint& cell) { return cell.coverage <= 0; })) continue;
+    for (const auto& map : graph.node_of_cell) {
+      if (!map) continue;
+      map->read_row(y, rect.x0, row_of_nodes);
+      for (int x = rect.x0; x < rect.x1; ++x) {
+        const std::int32_t node = nodes[std::size_t(x - rect.x0)];
+        const Paint& cell = row[x - rect.x0];
+        const std::int32_t region = node >= 0 && cell.coverage > 0 ? regions.label(x, y) : -1;
+        if (region < 0) continue;
+        const auto uniform = float(uniform_density(regions.regions[std::size_t(region)], computed[std::size_t(region)]));
+        add_change(changes, node, double(std::max(0.0F, painted(uniform, cell)) - uniform));
       }
     }
   }
+  return changes;
 }
 
 }  // namespace
 
 std::vector<float> node_attraction(const GraphLevel& graph, const ConfinementRegions& regions, std::span<const double> computed,
                                    std::span<const double> population, const PaintLayer& paint) {
+  std::vector<std::vector<NodeChange>> of_tile(paint.tile_count());
+  parallel_each(of_tile.size(), [&](std::size_t tile) {
+    if (paint.tile(tile)) of_tile[tile] = node_changes(graph, regions, computed, paint, tile);
+  });
   std::vector<double> change(graph.nodes.size(), 0.0);
-  for (std::size_t tile = 0; tile < paint.tile_count(); ++tile) {
-    if (paint.tile(tile)) add_tile_to_nodes(graph, regions, computed, paint, tile, change);
+  for (const auto& tile : of_tile) {
+    for (const NodeChange& own : tile) change[std::size_t(own.node)] += own.density;
   }
   std::vector<float> attraction(graph.nodes.size(), 1.0F);
   for (std::size_t i = 0; i < attraction.size(); ++i) {

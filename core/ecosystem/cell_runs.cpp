@@ -16,6 +16,20 @@ void Area::add_run(int y, const CellRun& run) {
   bounds = bounding(bounds, {run.x0, y, run.x1, y + 1});
 }
 
+RunTable runs_of(const Grid<std::int32_t>& numbers) {
+  return collect_rows(numbers.width(), numbers.height(),
+                      [&](int y, std::vector<CellRun>& out) { append_runs(numbers.row(y), out); });
+}
+
+Grid<std::int32_t> numbers_of(const RunTable& table) {
+  Grid<std::int32_t> numbers(table.width, table.height, -1);
+  parallel_rows(0, table.height, [&](int y) {
+    const auto row = numbers.row(y);
+    for (const CellRun& run : table.row(y)) std::fill(row.begin() + run.x0, row.begin() + run.x1, std::int32_t(run.value));
+  });
+  return numbers;
+}
+
 Areas numbered_areas(const RunTable& table, DisjointSets& sets) {
   Areas result;
   result.area_of_run.resize(table.runs.size());

@@ -2,97 +2,44 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 
 #include "core/base/parallel.hpp"
 #include "core/ecosystem/cell_runs.hpp"
+#include "core/ecosystem/obstacle_rows.hpp"
 
 namespace biotope {
 namespace {
 
-/// Smallest radius of a ford's corridor, cells and metres. Our choice: wide enough that a diagonal river does not close it.
-constexpr double ford_radius_cells = 2;
-constexpr double ford_radius_metres = 6;
-
-/// Radius (cells) of the disk that a ford opens: its river's width and a cell.
-double ford_radius(const Hydrology& hydrology, const Ford& ford, double cell_size) {
-  float discharge = 0;
-  for (int dy = -1; dy <= 1; ++dy) {
-    for (int dx = -1; dx <= 1; ++dx) {
-      if (hydrology.discharge.contains(ford.x + dx, ford.y + dy)) {
-        discharge = std::max(discharge, hydrology.discharge(ford.x + dx, ford.y + dy));
-      }
+/// Cells of `a` and `b` hold the same obstacles and passages; tiles that both share are not looked at.
+bool same_passage(const PaintLayer* a, const PaintLayer* b) {
+  if (a == b) return true;
+  const PaintLayer& one = a != nullptr ? *a : *b;
+  const PaintLayer none(one.width(), one.height());
+  const PaintLayer& other = a != nullptr && b != nullptr ? *b : none;
+  if (one.width() != other.width() || one.height() != other.height()) return false;
+  for (std::size_t tile = 0; tile < one.tile_count(); ++tile) {
+    const auto& before = one.tile(tile);
+    const auto& after = other.tile(tile);
+    if (before == after && (before || one.background() == other.background())) continue;
+    for (std::size_t i = 0; i < std::size_t(tile_side) * tile_side; ++i) {
+      const Paint was = before ? (*before)[i] : one.background();
+      const Paint is = after ? (*after)[i] : other.background();
+      if (passage_of(was) != passage_of(is)) return false;
     }
   }
-  return std::max({river_width(discharge) / cell_size + 1, ford_radius_cells, ford_radius_metres / cell_size});
+  return true;
 }
 
-/// Columns [x0, x1) of a row.
-struct Interval {
-  int x0 = 0;
-  int x1 = 0;
-};
+/// The same fords and exits; what else is placed blocks nobody.
+bool same_openings(const Places* a, const Places* b) {
+  if (a == b) return true;
+  const Places none;
+  const Places& one = a != nullptr ? *a : none;
+  const Places& other = b != nullptr ? *b : none;
+  return one.fords == other.fords && one.exits == other.exits;
+}
 
-/// Densest tree cover that an animal pushes through, in 1/full_cover.
-int most_trees(const Mobility& mobility) { return int(std::floor(double(mobility.max_tree_cover) * full_cover + 0.5)); }
-
-/// Obstacles of one kind of animal, row by row.
-class ObstacleRows {
- public:
-  ObstacleRows(const Ground& ground, const Mobility& mobility)
-      : slope_(ground.derivatives->slope),
-        depth_(ground.hydrology->water_depth),
-        trees_(ground.tree_cover.get()),
-        mobility_(mobility),
-        max_trees_(most_trees(mobility)),
-        fords_(std::size_t(slope_.height())) {
-    for (const Ford& ford : ground.hydrology->fords) {
-      const double radius = ford_radius(*ground.hydrology, ford, ground.terrain->cell_size);
-      const int reach = int(std::floor(radius));
-      for (int dy = -reach; dy <= reach; ++dy) {
-        const int y = ford.y + dy;
-        if (y < 0 || y >= slope_.height()) continue;
-        const int half = int(std::floor(std::sqrt(radius * radius - double(dy) * dy)));
-        fords_[std::size_t(y)].push_back({std::max(0, ford.x - half), std::min(slope_.width(), ford.x + half + 1)});
-      }
-    }
-  }
-
-  /// Writes `open` or `closed` for every cell of row y.
-  template <class Value>
-  void fill_row(int y, std::span<Value> out, Value open, Value closed) const {
-    const auto slope = slope_.row(y);
-    const auto depth = depth_.row(y);
-    for (std::size_t x = 0; x < out.size(); ++x) {
-      out[x] = (slope[x] > mobility_.max_slope) | (depth[x] > mobility_.wade_depth) ? closed : open;
-    }
-    for (const Interval& ford : fords_[std::size_t(y)]) {
-      for (int x = ford.x0; x < ford.x1; ++x) out[std::size_t(x)] = slope[std::size_t(x)] > mobility_.max_slope ? closed : open;
-    }
-    if (trees_ == nullptr) return;
-    const auto trees = trees_->row(y);
-    for (std::size_t x = 0; x < out.size(); ++x) out[x] = trees[x] > max_trees_ ? closed : out[x];
-  }
-
-  [[nodiscard]] Obstacle at(int x, int y) const {
-    if (slope_(x, y) > mobility_.max_slope) return Obstacle::slope;
-    const auto& fords = fords_[std::size_t(y)];
-    const bool in_ford = std::any_of(fords.begin(), fords.end(), [&](const Interval& i) { return x >= i.x0 && x < i.x1; });
-    if (depth_(x, y) > mobility_.wade_depth && !in_ford) return Obstacle::deep_water;
-    if (trees_ != nullptr && (*trees_)(x, y) > max_trees_) return Obstacle::trees;
-    return Obstacle::none;
-  }
-
- private:
-  const Grid<float>& slope_;
-  const Grid<float>& depth_;
-  const Grid<Cover>* trees_;
-  Mobility mobility_;
-  int max_trees_;
-  std::vector<std::vector<Interval>> fords_;
-};
-
-ConfinementRegions regions_of(const RunTable& passable, double cell_size) {
+ConfinementRegions regions_of(RunTable passable, double cell_size) {
   const Areas areas = connected_areas(passable);
   const std::size_t minimum = minimum_region_cells(cell_size);
   ConfinementRegions result;
@@ -103,16 +50,40 @@ ConfinementRegions regions_of(const RunTable& passable, double cell_size) {
     region_of_area[i] = std::int32_t(result.regions.size());
     result.regions.push_back({area.cells, double(area.cells) * cell_size * cell_size, area.bounds});
   }
-  result.label = Grid<std::int32_t>(passable.width, passable.height, -1);
-  parallel_rows(0, passable.height, [&](int y) {
-    const auto row = result.label.row(y);
+  RunTable runs = collect_rows(passable.width, passable.height, [&](int y, std::vector<CellRun>& out) {
     for (std::size_t i = passable.row_start[std::size_t(y)]; i < passable.row_start[std::size_t(y) + 1]; ++i) {
       const std::int32_t region = region_of_area[std::size_t(areas.area_of_run[i])];
-      const CellRun& run = passable.runs[i];
-      if (region >= 0) std::fill(row.begin() + run.x0, row.begin() + run.x1, region);
+      if (region >= 0) out.push_back({passable.runs[i].x0, passable.runs[i].x1, region});
     }
   });
+  result.label = numbers_of(runs);
+  result.runs = std::make_shared<const RunTable>(std::move(runs));
+  result.passable = std::make_shared<const RunTable>(std::move(passable));
   return result;
+}
+
+/// Rows where trees or painted passages of two grounds may differ.
+std::vector<char> differing_rows(const Ground& a, const Ground& b) {
+  const int height = a.terrain->height.height();
+  std::vector<char> differ(static_cast<std::size_t>(height));
+  if (a.tree_cover != b.tree_cover) {
+    parallel_rows(0, height, [&](int y) {
+      const bool same = a.tree_cover && b.tree_cover && std::ranges::equal(a.tree_cover->row(y), b.tree_cover->row(y));
+      differ[std::size_t(y)] = !same;
+    });
+  }
+  if (a.passage == b.passage) return differ;
+  const PaintLayer& layout = a.passage ? *a.passage : *b.passage;
+  const auto background = [](const std::shared_ptr<const PaintLayer>& layer) { return layer ? layer->background() : Paint{}; };
+  const bool same_background = background(a.passage) == background(b.passage);
+  for (std::size_t i = 0; i < layout.tile_count(); ++i) {
+    const auto* one = a.passage ? a.passage->tile(i).get() : nullptr;
+    const auto* other = b.passage ? b.passage->tile(i).get() : nullptr;
+    if (one == other && (one != nullptr || same_background)) continue;
+    const Rect cells = layout.tile_rect(i);
+    std::fill(differ.begin() + cells.y0, differ.begin() + cells.y1, 1);
+  }
+  return differ;
 }
 
 }  // namespace
@@ -131,6 +102,8 @@ bool same_obstacles(const Mobility& a, const Mobility& b) {
 
 bool same_blocked_cells(const Ground& a, const Ground& b, const Mobility& mobility) {
   if (a.terrain != b.terrain || a.derivatives != b.derivatives || a.hydrology != b.hydrology) return false;
+  if (!same_openings(a.places.get(), b.places.get())) return false;
+  if (!same_passage(a.passage.get(), b.passage.get())) return false;
   if (a.tree_cover == b.tree_cover) return true;
   if (!a.tree_cover || !b.tree_cover) return false;
   const int most = most_trees(mobility);
@@ -171,6 +144,29 @@ ConfinementRegions confinement_regions(const Ground& ground, const Mobility& mob
       collect_runs<std::int8_t>(ground.terrain->height.width(), ground.terrain->height.height(),
                                 [&](int y, std::span<std::int8_t> out) { obstacles.fill_row<std::int8_t>(y, out, 0, -1); }),
       ground.terrain->cell_size);
+}
+
+ConfinementRegions confinement_regions(const Ground& ground, const Mobility& mobility, const Ground& earlier,
+                                       const ConfinementRegions& earlier_regions) {
+  const bool comparable = earlier_regions.passable && ground.terrain == earlier.terrain &&
+                          ground.derivatives == earlier.derivatives && ground.hydrology == earlier.hydrology &&
+                          same_openings(ground.places.get(), earlier.places.get());
+  if (!comparable) return confinement_regions(ground, mobility);
+  const ObstacleRows obstacles(ground, mobility);
+  const std::vector<char> differ = differing_rows(ground, earlier);
+  const RunTable& before = *earlier_regions.passable;
+  return regions_of(collect_rows(before.width, before.height,
+                                 [&](int y, std::vector<CellRun>& out) {
+                                   if (!differ[std::size_t(y)]) {
+                                     const auto row = before.row(y);
+                                     out.insert(out.end(), row.begin(), row.end());
+                                     return;
+                                   }
+                                   std::vector<std::int8_t> cells(static_cast<std::size_t>(before.width));
+                                   obstacles.fill_row<std::int8_t>(y, cells, 0, -1);
+                                   append_runs(std::span<const std::int8_t>(cells), out);
+                                 }),
+                    ground.terrain->cell_size);
 }
 
 }  // namespace biotope

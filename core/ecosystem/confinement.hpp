@@ -6,13 +6,17 @@
 #include <vector>
 
 #include "core/base/grid.hpp"
+#include "core/base/paint.hpp"
 #include "core/ecosystem/cover.hpp"
+#include "core/ecosystem/places.hpp"
 #include "core/species/species.hpp"
 #include "core/terrain/derivatives.hpp"
 #include "core/terrain/hydrology.hpp"
 #include "core/terrain/terrain.hpp"
 
 namespace biotope {
+
+struct RunTable;
 
 /// Regions smaller than this hold nobody, m2.
 inline constexpr double minimum_region_area = 10000;
@@ -27,6 +31,10 @@ struct Ground {
   std::shared_ptr<const Hydrology> hydrology;
   /// Sum of tree covers of a cell, 0..full_cover; null before plants are known.
   std::shared_ptr<const Grid<Cover>> tree_cover;
+  /// Painted obstacles (final value at least 0.5) and passages (at most -0.5); null: none.
+  std::shared_ptr<const PaintLayer> passage = {};
+  /// Fords, exits, waypoints and trails a person placed; null: none.
+  std::shared_ptr<const Places> places = {};
 };
 
 /// Two species with equal limits share their obstacles, regions and travel graph.
@@ -42,16 +50,18 @@ struct Mobility {
 /// Obstacles do not depend on how slopes tire an animal.
 [[nodiscard]] bool same_obstacles(const Mobility& a, const Mobility& b);
 
-/// What keeps an animal out of a cell; the first that applies.
-enum class Obstacle : std::uint8_t { none, slope, deep_water, trees };
+/// What keeps an animal out of a cell; the first that applies, paint before all others.
+enum class Obstacle : std::uint8_t { none, slope, deep_water, trees, painted };
 [[nodiscard]] Obstacle obstacle_at(const Ground& ground, const Mobility& mobility, int x, int y);
 
 /// Whether an animal is kept out of the same cells of both grounds, found without computing them: the same terrain, slopes and
-/// water, and trees that are on the same side of its limit everywhere.
+/// water, the same fords and exits, the same painted obstacles and passages, and trees that are on the same side of its limit
+/// everywhere.
 [[nodiscard]] bool same_blocked_cells(const Ground& a, const Ground& b, const Mobility& mobility);
 
 /// Cells steeper than the limit, water deeper than it wades (unless within a ford), tree cover denser than it pushes through. A
-/// ford opens a disk as wide as its river, so that a corridor reaches from bank to bank.
+/// ford opens a disk as wide as its river, so that a corridor reaches from bank to bank; one that a person placed opens its
+/// radius. A painted passage is open whatever lies there, a painted obstacle closed; within a placed exit nothing blocks.
 [[nodiscard]] Grid<std::uint8_t> blocked_cells(const Ground& ground, const Mobility& mobility);
 
 /// Connected components (4-neighbours) of passable cells.
@@ -65,10 +75,17 @@ struct ConfinementRegions {
     Rect bounds;
   };
   std::vector<Region> regions;
+  /// Runs of passable cells, and of the cells of regions with their numbers; null where only the grid was made.
+  std::shared_ptr<const RunTable> passable = nullptr;
+  std::shared_ptr<const RunTable> runs = nullptr;
 };
 [[nodiscard]] ConfinementRegions confinement_regions(const Grid<std::uint8_t>& blocked, double cell_size);
 /// The same straight from the ground, without the grid between.
 [[nodiscard]] ConfinementRegions confinement_regions(const Ground& ground, const Mobility& mobility);
+/// The same, with the regions of an earlier ground at hand: rows where trees and painted passages are the same are taken over as
+/// far as nothing else of the ground differs.
+[[nodiscard]] ConfinementRegions confinement_regions(const Ground& ground, const Mobility& mobility, const Ground& earlier,
+                                                     const ConfinementRegions& earlier_regions);
 
 /// The finest common partition of several species' regions: two cells are in one piece when every species has them in the same
 /// region.
@@ -83,6 +100,8 @@ struct Partition {
     std::vector<int> region;
   };
   std::vector<Piece> pieces;
+  /// The same as runs; null where only the grid was made.
+  std::shared_ptr<const RunTable> runs = nullptr;
 };
 [[nodiscard]] Partition finest_partition(std::span<const std::shared_ptr<const ConfinementRegions>> regions, double cell_size);
 

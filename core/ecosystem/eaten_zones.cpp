@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/ecosystem/resource_nodes.hpp"
+
 namespace biotope {
 
 std::vector<double> eaten_share(const AnimalLevel& level, int resource) {
@@ -17,20 +19,23 @@ std::vector<double> eaten_share(const AnimalLevel& level, int resource) {
 
 EatenZones::EatenZones(std::span<const std::shared_ptr<const AnimalLevel>> levels, std::span<const int> resources) {
   for (const auto& level : levels) {
-    Level own{level->partition.get(), {}};
+    Level own{level->partition.get(), nullptr, {}};
     for (const int resource : resources) own.share.push_back(eaten_share(*level, resource));
     if (std::all_of(own.share.begin(), own.share.end(), [](const auto& share) { return share.empty(); })) continue;
     count_ *= std::int64_t(own.partition->pieces.size()) + 1;
+    own.pieces = piece_runs(*level);
     levels_.push_back(std::move(own));
   }
 }
 
-void EatenZones::refine_row(int y, std::span<std::int64_t> values) const {
+RunTable EatenZones::refined(const RunTable& table) const {
+  RunTable result = table;
   for (const Level& level : levels_) {
     const std::int64_t base = std::int64_t(level.partition->pieces.size()) + 1;
-    const auto piece = level.partition->label.row(y);
-    for (std::size_t x = 0; x < values.size(); ++x) values[x] = values[x] < 0 ? values[x] : values[x] * base + piece[x] + 1;
+    result = biotope::refined(result, *level.pieces,
+                              [base](std::int64_t value, std::int64_t piece) { return value * base + piece + 1; });
   }
+  return result;
 }
 
 double EatenZones::left(std::int64_t zone, std::size_t resource) const {

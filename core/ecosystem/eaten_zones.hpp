@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/ecosystem/animal_level.hpp"
+#include "core/ecosystem/cell_runs.hpp"
 
 namespace biotope {
 
@@ -17,8 +18,8 @@ class EatenZones {
   /// Zones of the levels that ate any of the resources.
   EatenZones(std::span<const std::shared_ptr<const AnimalLevel>> levels, std::span<const int> resources);
 
-  /// Replaces every value >= 0 of a row by value * count() + zone.
-  void refine_row(int y, std::span<std::int64_t> values) const;
+  /// The runs cut at the zones' borders, with value * count() + zone.
+  [[nodiscard]] RunTable refined(const RunTable& table) const;
   [[nodiscard]] std::int64_t count() const { return count_; }
   [[nodiscard]] bool nothing_eaten() const { return levels_.empty(); }
   /// Share of a resource (its place in `resources`) that is left in a zone.
@@ -27,6 +28,7 @@ class EatenZones {
  private:
   struct Level {
     const Partition* partition = nullptr;
+    std::shared_ptr<const RunTable> pieces;
     /// By resource and piece; empty for what the level did not eat.
     std::vector<std::vector<double>> share;
   };

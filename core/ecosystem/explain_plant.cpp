@@ -4,6 +4,7 @@
 
 #include "core/ecosystem/explanation.hpp"
 #include "core/ecosystem/explanation_plant_text.hpp"
+#include "core/ecosystem/losses.hpp"
 #include "core/ecosystem/plant_competition_kernel.hpp"
 
 namespace biotope {
@@ -236,7 +237,7 @@ std::string bound_text(const Stand& stand, const CellEnvironment& left) {
 }  // namespace
 
 Explanation explain_plant(const FoodWeb& web, const PlantEnvironment& environment, int plant,
-                          std::span<const std::shared_ptr<const CoverMap>> covers, int x, int y) {
+                          std::span<const std::shared_ptr<const CoverMap>> covers, int x, int y, const PaintLayer* loss) {
   const Stand stand = stand_at(web, plant, covers, x, y);
   const PlantTraits& traits = stand.traits(stand.asked);
   const CellEnvironment cell = environment.cell(x, y);
@@ -260,6 +261,12 @@ Explanation explain_plant(const FoodWeb& web, const PlantEnvironment& environmen
   }
   for (std::string& detail : resource_details(traits, cell)) explanation.details.push_back(std::move(detail));
   add_rival_details(stand, cell, explanation.details);
+  const float kept = loss != nullptr ? share_kept(loss_steps((*loss)(x, y))) : 1.0F;
+  if (kept < 1 && stand.cover[stand.asked] > 0) {
+    const double grams = 1000 * double(traits.growth) * stand.fraction(stand.asked);
+    explanation.details.push_back("An external event takes " + percent_text(1 - double(kept)) + " of its yearly growth here: " +
+                                  number_text(grams * (1 - double(kept)), 0) + " of " + number_text(grams, 0) + " g per m2.");
+  }
   if (explanation.details.empty()) explanation.details.push_back("Every resource is within its range all year.");
   return explanation;
 }

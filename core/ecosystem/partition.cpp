@@ -3,12 +3,11 @@
 
 #include "core/base/parallel.hpp"
 #include "core/base/random.hpp"
+#include "core/ecosystem/cell_runs.hpp"
 #include "core/ecosystem/confinement.hpp"
 
 namespace biotope {
 namespace {
-
-constexpr int band_rows = 32;
 
 using Tuple = std::vector<std::int32_t>;
 struct TupleHash {
@@ -35,31 +34,31 @@ struct TupleTable {
   }
 };
 
-/// Labels of a band of rows, numbered within the band.
-void label_band(const std::vector<const ConfinementRegions*>& maps, int first_row, int last_row, TupleTable& table,
-                Grid<std::int32_t>& label) {
-  const std::size_t width = std::size_t(label.width());
-  std::vector<std::uint8_t> changes(width);
+using RunTables = std::vector<std::shared_ptr<const RunTable>>;
+
+/// Appends the pieces of a row, numbered as they first appear in `table`.
+void append_pieces(const RunTables& maps, int y, TupleTable& table, std::vector<CellRun>& out) {
+  const std::size_t begin = out.size();
+  const int width = maps.front()->width;
+  std::vector<std::span<const CellRun>> rows;
+  for (const auto& map : maps) rows.push_back(map->row(y));
   Tuple tuple(maps.size());
-  for (int y = first_row; y < last_row; ++y) {
-    std::fill(changes.begin(), changes.end(), std::uint8_t{0});
-    for (const ConfinementRegions* map : maps) {
-      const std::int32_t* row = map->label.row(y).data();
-      for (std::size_t x = 1; x < width; ++x) changes[x] = std::uint8_t(changes[x] | std::uint8_t(row[x] != row[x - 1]));
+  for (int x = 0; x < width;) {
+    int end = width;
+    bool anyone = false;
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+      while (!rows[i].empty() && rows[i].front().x1 <= x) rows[i] = rows[i].subspan(1);
+      const bool inside = !rows[i].empty() && rows[i].front().x0 <= x;
+      if (!rows[i].empty()) end = std::min(end, inside ? rows[i].front().x1 : rows[i].front().x0);
+      tuple[i] = inside ? std::int32_t(rows[i].front().value) : -1;
+      anyone = anyone || inside;
     }
-    const auto out = label.row(y);
-    for (std::size_t x = 0; x < width;) {
-      const std::size_t first = x++;
-      while (x < width && changes[x] == 0) ++x;
-      bool anyone = false;
-      for (std::size_t i = 0; i < maps.size(); ++i) {
-        tuple[i] = maps[i]->label.row(y)[first];
-        anyone = anyone || tuple[i] >= 0;
-      }
-      const std::int32_t piece = anyone ? table.find_or_add(tuple) : -1;
-      if (anyone) table.cells[std::size_t(piece)] += x - first;
-      std::fill(out.begin() + std::ptrdiff_t(first), out.begin() + std::ptrdiff_t(x), piece);
+    if (anyone) {
+      const std::int32_t piece = table.find_or_add(tuple);
+      table.cells[std::size_t(piece)] += std::size_t(end - x);
+      append_run(out, begin, {x, end, piece});
     }
+    x = end;
   }
 }
 
@@ -67,23 +66,24 @@ void label_band(const std::vector<const ConfinementRegions*>& maps, int first_ro
 
 Partition finest_partition(std::span<const std::shared_ptr<const ConfinementRegions>> regions, double cell_size) {
   // Species that share a map of regions cannot be told apart by it: each map is read once.
-  std::vector<const ConfinementRegions*> maps;
+  std::vector<const ConfinementRegions*> known;
+  RunTables maps;
   std::vector<std::size_t> map_of_species;
   for (const auto& own : regions) {
-    const auto found = std::find(maps.begin(), maps.end(), own.get());
-    map_of_species.push_back(std::size_t(found - maps.begin()));
-    if (found == maps.end()) maps.push_back(own.get());
+    const auto found = std::find(known.begin(), known.end(), own.get());
+    map_of_species.push_back(std::size_t(found - known.begin()));
+    if (found != known.end()) continue;
+    known.push_back(own.get());
+    maps.push_back(own->runs ? own->runs : std::make_shared<const RunTable>(runs_of(own->label)));
   }
   Partition result;
   if (maps.empty()) return result;
-  const int height = maps.front()->label.height();
-  result.label = Grid<std::int32_t>(maps.front()->label.width(), height, -1);
 
+  const int height = maps.front()->height;
   const std::size_t bands = std::size_t((height + band_rows - 1) / band_rows);
   std::vector<TupleTable> tables(bands);
-  parallel_each(bands, [&](std::size_t band) {
-    const int first = int(band) * band_rows;
-    label_band(maps, first, std::min(first + band_rows, height), tables[band], result.label);
+  RunTable runs = collect_rows(maps.front()->width, height, [&](int y, std::vector<CellRun>& out) {
+    append_pieces(maps, y, tables[std::size_t(y / band_rows)], out);
   });
 
   TupleTable all;
@@ -94,10 +94,10 @@ Partition finest_partition(std::span<const std::shared_ptr<const ConfinementRegi
       all.cells[std::size_t(number[band].back())] += tables[band].cells[i];
     }
   }
-  parallel_each(bands, [&](std::size_t band) {
-    const auto& renumbered = number[band];
-    for (int y = int(band) * band_rows; y < std::min(int(band + 1) * band_rows, height); ++y) {
-      for (std::int32_t& piece : result.label.row(y)) piece = piece >= 0 ? renumbered[std::size_t(piece)] : -1;
+  parallel_rows(0, height, [&](int y) {
+    const auto& renumbered = number[std::size_t(y / band_rows)];
+    for (std::size_t i = runs.row_start[std::size_t(y)]; i < runs.row_start[std::size_t(y) + 1]; ++i) {
+      runs.runs[i].value = renumbered[std::size_t(runs.runs[i].value)];
     }
   });
   for (std::size_t i = 0; i < all.tuples.size(); ++i) {
@@ -106,6 +106,8 @@ Partition finest_partition(std::span<const std::shared_ptr<const ConfinementRegi
     piece.area = double(piece.cells) * cell_size * cell_size;
     for (const std::size_t map : map_of_species) piece.region.push_back(all.tuples[i][map]);
   }
+  result.label = numbers_of(runs);
+  result.runs = std::make_shared<const RunTable>(std::move(runs));
   return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <span>
@@ -16,16 +17,38 @@
 
 namespace biotope {
 
+/// A person's paint on the soil; null where nothing is painted. Texture: final = lerp(computed, value, coverage), clamped
+/// to 1..9; geology: the painted class where coverage is at least 0.5.
+struct SoilPaint {
+  std::shared_ptr<const PaintLayer> texture;
+  std::shared_ptr<const PaintLayer> geology;
+  bool operator==(const SoilPaint&) const = default;
+};
+/// Texture of a cell under its paint; where nothing covers it the computed one, to the bit.
+[[nodiscard]] inline float painted_texture(float computed, Paint paint) {
+  return paint.coverage > 0 ? std::clamp(painted(computed, paint), 1.0F, 9.0F) : computed;
+}
+/// Geology of a cell under its paint. Values between two classes count as the nearest.
+[[nodiscard]] inline Geology painted_geology(Geology computed, Paint paint) {
+  if (!(paint.coverage >= 0.5F)) return computed;
+  return Geology(int(std::clamp(paint.value, 0.0F, float(geology_classes - 1)) + 0.5F));
+}
+
 /// What plants feel: computed maps with a person's paint on the yearly mean of a resource. Paint shifts all months alike
 /// (month + coverage * (value - mean)), so the seasons stay; null where nothing is painted.
 struct PlantEnvironment {
   std::shared_ptr<const EnvironmentMaps> maps;
   std::array<std::shared_ptr<const PaintLayer>, monthly_resources> paint;
+  SoilPaint soil = {};
 
   /// The twelve months of a resource at a cell, paint included, each clamped to 1..9.
   [[nodiscard]] std::array<float, months> year(Resource resource, int x, int y) const;
 
-  /// The twelve months of every resource at a cell.
+  /// Soil of a cell, paint included.
+  [[nodiscard]] float texture(int x, int y) const;
+  [[nodiscard]] Geology geology(int x, int y) const;
+
+  /// The twelve months of every resource and the soil at a cell.
   [[nodiscard]] CellEnvironment cell(int x, int y) const;
 };
 

@@ -233,14 +233,28 @@ BIOTOPE_INLINE void load_resource(const MonthlyMap& map, const PaintLayer* paint
   }
 }
 
+/// Lays paint over a row of soil, cell by cell as PlantEnvironment::cell does.
+template <class T, class Lay>
+BIOTOPE_INLINE void paint_soil(const PaintLayer& paint, int x, int y, int count, std::array<T, batch_cells>& values,
+                               const Lay& lay) {
+  std::array<Paint, batch_cells> strokes{};
+  paint.read_row(y, x, std::span(strokes.data(), std::size_t(count)));
+  for (std::size_t lane = 0; lane < std::size_t(batch_cells); ++lane) {
+    values[lane] = lay(values[lane], strokes[std::min(lane, std::size_t(count) - 1)]);
+  }
+}
+
 /// Reads batch_cells cells of row y from x on; cells from `count` on repeat the last one.
 BIOTOPE_INLINE void load_batch(const PlantEnvironment& environment, int x, int y, int count, CompetitionBatch& batch) {
   const EnvironmentMaps& maps = *environment.maps;
   for (std::size_t r = 0; r < monthly_resources; ++r) {
     load_resource(maps.monthly[r], environment.paint[r].get(), x, y, count, batch.resources[r]);
   }
-  batch.texture = to_lanes(lane_row(*maps.texture, x, y, count));
-  const std::array<Geology, batch_cells> classes = lane_row(*maps.geology, x, y, count);
+  std::array<float, batch_cells> texture = lane_row(*maps.texture, x, y, count);
+  std::array<Geology, batch_cells> classes = lane_row(*maps.geology, x, y, count);
+  if (environment.soil.texture) paint_soil(*environment.soil.texture, x, y, count, texture, painted_texture);
+  if (environment.soil.geology) paint_soil(*environment.soil.geology, x, y, count, classes, painted_geology);
+  batch.texture = to_lanes(texture);
   for (std::size_t c = 0; c < geology_classes; ++c) {
     for (int lane = 0; lane < batch_cells; ++lane) {
       batch.on_geology[c].v[lane] = classes[std::size_t(lane)] == Geology(c) ? 1.0F : 0.0F;

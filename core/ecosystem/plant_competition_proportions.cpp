@@ -124,8 +124,8 @@ class Landscape {
     for (int x = 0; x < width_; ++x) {
       const std::size_t cell = cell_of(x, y);
       const std::span<std::uint8_t> fixed(fixed_.data() + cell * wanted_.size(), wanted_.size());
-      const float texture = (*environment_.maps->texture)(x, y);
-      const Geology geology = (*environment_.maps->geology)(x, y);
+      const float texture = environment_.texture(x, y);
+      const Geology geology = environment_.geology(x, y);
       for (std::size_t i = 0; i < wanted_.size(); ++i) {
         const PlantTraits& plant = *wanted_[i].traits;
         const float viability = plant.texture.contains(texture) ? plant.geology[std::size_t(geology)] : 0;

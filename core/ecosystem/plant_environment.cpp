@@ -23,11 +23,21 @@ std::array<float, months> PlantEnvironment::year(Resource resource, int x, int y
   return values;
 }
 
+float PlantEnvironment::texture(int x, int y) const {
+  const float computed = (*maps->texture)(x, y);
+  return soil.texture ? painted_texture(computed, (*soil.texture)(x, y)) : computed;
+}
+
+Geology PlantEnvironment::geology(int x, int y) const {
+  const Geology computed = (*maps->geology)(x, y);
+  return soil.geology ? painted_geology(computed, (*soil.geology)(x, y)) : computed;
+}
+
 CellEnvironment PlantEnvironment::cell(int x, int y) const {
   CellEnvironment cell;
   for (std::size_t r = 0; r < monthly_resources; ++r) cell.monthly[r] = year(Resource(r), x, y);
-  cell.texture = (*maps->texture)(x, y);
-  cell.geology = int((*maps->geology)(x, y));
+  cell.texture = texture(x, y);
+  cell.geology = int(geology(x, y));
   return cell;
 }
 

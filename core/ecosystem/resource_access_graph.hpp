@@ -5,12 +5,13 @@
 #include <memory>
 #include <vector>
 
-#include "core/base/grid.hpp"
 #include "core/base/rect.hpp"
+#include "core/ecosystem/run_map.hpp"
 
 namespace biotope {
 
-enum class NodeKind : std::uint8_t { bank, vegetation, prey };
+/// A waypoint offers nothing to eat: herds come by (Waypoint, PlacedExit).
+enum class NodeKind : std::uint8_t { bank, vegetation, prey, waypoint };
 
 /// An amount of one species that a node offers.
 struct ResourceQuantity {
@@ -22,7 +23,7 @@ struct ResourceQuantity {
 /// A node of the graph: one contiguous area where resources of a level are found (paper section 5).
 struct ResourceNode {
   NodeKind kind = NodeKind::vegetation;
-  /// Stratum of vegetation, or the prey's species number; 0 for banks.
+  /// Stratum of vegetation, or the prey's species number; 0 for banks and waypoints.
   int group = 0;
   double area = 0;  ///< m2
   std::size_t cells = 0;
@@ -38,8 +39,11 @@ struct ResourceNode {
   std::vector<ResourceQuantity> quantities;
   /// For prey: the region of the prey species this node stands for.
   int prey_region = -1;
-  /// Hierarchical edges of a prey node: the nodes of the prey's own level in the prey's region. Empty for banks and vegetation,
-  /// which are built from the cells of level 0 themselves.
+  /// For waypoints: the probability that a species of the region comes by (Waypoint::attraction; of exits exit_attraction); 0 for
+  /// others.
+  float attraction = 0;
+  /// Hierarchical edges of a prey node: the nodes of the prey's own level in the prey's region. Empty for waypoints, and for
+  /// banks and vegetation, which are built from the cells of level 0 themselves.
   std::vector<int> built_from;
 };
 
@@ -56,8 +60,8 @@ struct GraphLevel {
   int level = 1;
   std::vector<ResourceNode> nodes;
   std::vector<SpatialEdge> edges;
-  /// Node of each cell, -1 where none: one grid a kind of ground resource, indexed by stratum; [3] are the banks. Never null.
-  std::array<std::shared_ptr<const Grid<std::int32_t>>, 4> node_of_cell;
+  /// Node of each cell, -1 where none: one map a kind of ground resource, indexed by stratum; [3] are the banks. Never null.
+  std::array<std::shared_ptr<const RunMap>, 4> node_of_cell;
 };
 
 /// All levels; levels[0] stands for the cells (a node a cell, no list), levels[i] for food-chain level i.

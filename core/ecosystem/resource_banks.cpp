@@ -62,13 +62,11 @@ Grid<std::uint8_t> shores(const Ground& ground) {
   return shore;
 }
 
-/// Runs of pieces on cells from which water can be drunk.
-RunTable bank_runs(const Ground& ground, const Partition& partition) {
+RunTable shore_runs(const Ground& ground) {
   const Grid<std::uint8_t> shore = shores(ground);
-  return collect_runs<std::int32_t>(partition.label.width(), partition.label.height(), [&](int y, std::span<std::int32_t> out) {
+  return collect_runs<std::int8_t>(shore.width(), shore.height(), [&](int y, std::span<std::int8_t> out) {
     const auto near = shore.row(y);
-    const auto piece = partition.label.row(y);
-    for (std::size_t x = 0; x < out.size(); ++x) out[x] = near[x] != 0 ? piece[x] : -1;
+    for (std::size_t x = 0; x < out.size(); ++x) out[x] = near[x] != 0 ? 0 : -1;
   });
 }
 
@@ -126,15 +124,18 @@ std::vector<char> choose_banks(const ResourceSources& sources, const std::vector
 
 }  // namespace
 
-std::shared_ptr<const BankStretches> find_banks(const Ground& ground, const Partition& partition) {
+std::shared_ptr<const BankStretches> find_banks(const Ground& ground, const RunTable& pieces,
+                                                std::shared_ptr<const RunTable> shore) {
   const double cell_size = ground.terrain->cell_size;
-  const RunTable table = bank_runs(ground, partition);
+  if (!shore) shore = std::make_shared<const RunTable>(shore_runs(ground));
+  const RunTable table = intersected(pieces, *shore, [](std::int64_t piece, std::int64_t) { return piece; });
   // An area is left whole up to 1.5 sides, whose diagonal is then just the longest stretch.
   SplitRule rule;
   rule.side = std::max(1, int(longest_bank / (1.5 * std::sqrt(2.0)) / cell_size));
   rule.sliver_cells = std::size_t(std::max(1.0, longest_bank / 6 / cell_size));
   rule.longest = longest_bank / cell_size;
   auto banks = std::make_shared<BankStretches>();
+  banks->shore = std::move(shore);
   banks->patches = split_into_patches(table, connected_areas(table), rule);
   const RunTable& runs = banks->patches.runs;
   std::vector<std::int32_t> bank_of_run(runs.runs.size());
@@ -144,7 +145,8 @@ std::shared_ptr<const BankStretches> find_banks(const Ground& ground, const Part
 }
 
 void add_bank_nodes(const ResourceSources& sources, GraphLevel& graph) {
-  const auto& [patches, nearest] = sources.banks;
+  const Patches& patches = sources.banks.patches;
+  const std::vector<NearestCell>& nearest = sources.banks.nearest;
   if (patches.patches.empty()) return;
   const std::vector<char> keep = choose_banks(sources, patches.patches, graph);
   std::vector<std::int32_t> node_of_bank(patches.patches.size(), -1);
@@ -156,15 +158,15 @@ void add_bank_nodes(const ResourceSources& sources, GraphLevel& graph) {
     node.piece = int(patches.patches[bank].value);
     graph.nodes.push_back(std::move(node));
   }
-  auto grid = std::make_shared<Grid<std::int32_t>>(patches.runs.width, patches.runs.height, -1);
   const RunTable& runs = patches.runs;
-  parallel_rows(0, runs.height, [&](int y) {
-    const auto row = grid->row(y);
-    for (const CellRun& run : runs.row(y)) {
-      std::fill(row.begin() + run.x0, row.begin() + run.x1, node_of_bank[std::size_t(run.value)]);
-    }
-  });
-  graph.node_of_cell[3] = std::move(grid);
+  graph.node_of_cell[3] =
+      std::make_shared<const RunMap>(collect_rows(runs.width, runs.height, [&](int y, std::vector<CellRun>& out) {
+        const std::size_t begin = out.size();
+        for (const CellRun& run : runs.row(y)) {
+          const std::int32_t node = node_of_bank[std::size_t(run.value)];
+          if (node >= 0) append_run(out, begin, {run.x0, run.x1, node});
+        }
+      }));
 }
 
 }  // namespace biotope

@@ -25,6 +25,10 @@ int patch_side(const Terrain& terrain, std::size_t present_cells) {
   return std::max(1, int(std::ceil(std::max({400 / terrain.cell_size, longer / 10, wide_enough}))));
 }
 
+std::shared_ptr<const RunTable> piece_runs(const AnimalLevel& level) {
+  return level.partition->runs ? level.partition->runs : std::make_shared<const RunTable>(runs_of(level.partition->label));
+}
+
 ResourceNode node_of_area(const Area& area, NearestCell position, double cell_area) {
   ResourceNode node;
   node.cells = area.cells;
@@ -60,14 +64,12 @@ GraphLevel build_resource_nodes(const ResourceSources& sources, std::span<const 
   if (!context.stopped()) add_vegetation_nodes(sources, graph);
   if (!context.stopped()) add_prey_nodes(sources, prey, graph);
   if (!context.stopped()) add_bank_nodes(sources, graph);
-  std::shared_ptr<const Grid<std::int32_t>> nowhere;
-  for (auto& grid : graph.node_of_cell) {
-    if (grid) continue;
-    if (!nowhere) {
-      const auto& label = sources.partition.label;
-      nowhere = std::make_shared<const Grid<std::int32_t>>(label.width(), label.height(), -1);
-    }
-    grid = nowhere;
+  if (!context.stopped()) add_waypoint_nodes(sources, graph);
+  const auto& label = sources.partition.label;
+  for (auto& nodes : graph.node_of_cell) {
+    if (nodes) continue;
+    RunTable nowhere{label.width(), label.height(), {}, std::vector<std::size_t>(std::size_t(label.height()) + 1)};
+    nodes = std::make_shared<const RunMap>(std::move(nowhere));
   }
   return graph;
 }

@@ -41,16 +41,6 @@ struct Overlap {
   std::vector<std::pair<std::int64_t, std::size_t>> cells_of_zone;
 };
 
-/// Runs of the pairs of pieces of two partitions: value = own * pieces of the other + other.
-RunTable paired_runs(const Partition& own, const Partition& other) {
-  const std::int64_t pieces = std::int64_t(other.pieces.size());
-  return collect_runs(own.label.width(), own.label.height(), [&](int y, std::span<std::int64_t> out) {
-    const auto first = own.label.row(y);
-    const auto second = other.label.row(y);
-    for (std::size_t x = 0; x < out.size(); ++x) out[x] = (first[x] | second[x]) < 0 ? -1 : first[x] * pieces + second[x];
-  });
-}
-
 /// Runs of a group's regions and the pieces, value = region * pieces + piece, from those of its level's partition, which is
 /// finer.
 RunTable region_runs(const RunTable& paired, const PreyGroup& group, std::int64_t pieces) {
@@ -74,18 +64,6 @@ RunTable region_runs(const RunTable& paired, const PreyGroup& group, std::int64_
     table.row_start.push_back(table.runs.size());
   }
   return table;
-}
-
-/// The same with each value refined by zones: value * zones + zone.
-RunTable region_runs(const PreyGroup& group, const Partition& partition, const EatenZones& zones) {
-  const std::int64_t pieces = std::int64_t(partition.pieces.size());
-  const Grid<std::int32_t>& label = partition.label;
-  return collect_runs(label.width(), label.height(), [&](int y, std::span<std::int64_t> out) {
-    const auto region = group.regions->label.row(y);
-    const auto piece = label.row(y);
-    for (std::size_t x = 0; x < out.size(); ++x) out[x] = (region[x] | piece[x]) < 0 ? -1 : region[x] * pieces + piece[x];
-    zones.refine_row(y, out);
-  });
 }
 
 std::vector<Overlap> find_overlaps(RunTable table, std::int64_t pieces, const EatenZones& zones) {
@@ -119,9 +97,11 @@ std::vector<Overlap> find_overlaps(RunTable table, std::int64_t pieces, const Ea
 void add_supplies(const ResourceSources& sources, const PreyGroup& group, std::size_t member,
                   const std::vector<Overlap>& overlaps, const EatenZones& zones, std::vector<PreySupply>& out) {
   const AnimalTraits& animal = sources.web.species[std::size_t(group.species[member])].animal();
+  const std::vector<double> lost = mean_losses(*group.regions, loss_of(sources.losses, group.species[member]));
   for (const Overlap& overlap : overlaps) {
     const double individuals = group.own_level->population[group.index[member]][std::size_t(overlap.region)];
-    const double growth_of_cell = individuals * double(animal.growth_rate) * double(animal.mean_mass()) /
+    const double growth_of_cell = individuals * double(animal.growth_rate) * double(animal.mean_mass()) *
+                                  (1 - lost[std::size_t(overlap.region)]) /
                                   double(group.regions->regions[std::size_t(overlap.region)].cells);
     PreySupply supply{
         group.species[member], int(overlap.region), int(overlap.piece), growth_of_cell * double(overlap.area.cells), 0,
@@ -139,6 +119,7 @@ std::vector<int> nodes_in_region(const ResourceSources& sources, const PreySuppl
   const AnimalLevel& own = *sources.below[std::size_t(sources.web.level[std::size_t(supply.species)]) - 1];
   const std::size_t index = std::size_t(std::find(own.species.begin(), own.species.end(), supply.species) - own.species.begin());
   for (std::size_t i = 0; i < own.graph->nodes.size(); ++i) {
+    if (own.graph->nodes[i].kind == NodeKind::waypoint) continue;
     if (own.partition->pieces[std::size_t(own.graph->nodes[i].piece)].region[index] == supply.region) nodes.push_back(int(i));
   }
   return nodes;
@@ -149,17 +130,18 @@ std::vector<int> nodes_in_region(const ResourceSources& sources, const PreySuppl
 std::vector<PreySupply> find_prey(const ResourceSources& sources) {
   const std::vector<PreyGroup> groups = prey_groups(sources);
   const std::int64_t pieces = std::int64_t(sources.partition.pieces.size());
-  /// By level below: the pairs of its pieces and this level's.
+  /// By level below: runs of the pairs of its pieces and this level's, value = piece below * pieces + piece.
   std::vector<RunTable> paired(sources.below.size());
   for (const PreyGroup& group : groups) {
     const auto own = std::size_t(group.own_level->level) - 1;
-    if (paired[own].row_start.empty()) paired[own] = paired_runs(*group.own_level->partition, sources.partition);
+    if (!paired[own].row_start.empty()) continue;
+    paired[own] = intersected(*piece_runs(*group.own_level), sources.pieces,
+                              [pieces](std::int64_t below, std::int64_t piece) { return below * pieces + piece; });
   }
   std::vector<std::vector<PreySupply>> found(groups.size());
   parallel_each(groups.size(), [&](std::size_t g) {
     const EatenZones zones(sources.below, groups[g].species);
-    RunTable runs = zones.nothing_eaten() ? region_runs(paired[std::size_t(groups[g].own_level->level) - 1], groups[g], pieces)
-                                          : region_runs(groups[g], sources.partition, zones);
+    RunTable runs = zones.refined(region_runs(paired[std::size_t(groups[g].own_level->level) - 1], groups[g], pieces));
     const std::vector<Overlap> overlaps = find_overlaps(std::move(runs), pieces, zones);
     for (std::size_t i = 0; i < groups[g].species.size(); ++i) add_supplies(sources, groups[g], i, overlaps, zones, found[g]);
   });

@@ -11,11 +11,12 @@ namespace {
 struct EdibleStratum {
   std::vector<int> species;
   std::vector<std::size_t> maps;  ///< their places among the level's plants
+  std::vector<std::shared_ptr<const PresenceTile>> presence;
   RunTable present;
   Areas areas;
   Patches patches;
-  /// Summed cover by patch and plant, in 1/full_cover cells.
-  std::vector<std::uint64_t> sums;
+  /// Summed cover by patch and plant.
+  CoverSums sums;
   /// Node of each patch, -1 when it was not kept.
   std::vector<std::int32_t> node_of_patch;
 };
@@ -33,33 +34,13 @@ std::array<EdibleStratum, strata> edible_strata(const ResourceSources& sources) 
   return result;
 }
 
-/// Runs of the pieces where the stratum is present.
-RunTable present_runs(const EdibleStratum& stratum, const PresentTiles& tiles, const Partition& partition) {
-  const int threshold = int(presence_cover * full_cover + 0.5F);
-  return collect_runs<std::int32_t>(partition.label.width(), partition.label.height(), [&](int y, std::span<std::int32_t> out) {
-    const auto piece = partition.label.row(y);
-    const std::size_t width = out.size();
-    for (int column = 0; column < tiles.columns(); ++column) {
-      std::array<std::uint16_t, tile_side> sum{};
-      for (const std::size_t map : stratum.maps) {
-        const Cover* cover = tiles.row(map, column, y);
-        if (cover == nullptr) continue;
-        for (std::size_t x = 0; x < sum.size(); ++x) sum[x] = std::uint16_t(sum[x] + cover[x]);
-      }
-      const std::size_t x0 = std::size_t(column) * tile_side;
-      const std::size_t cells = std::min(width - x0, sum.size());
-      for (std::size_t x = 0; x < cells; ++x) out[x0 + x] = sum[x] >= threshold ? piece[x0 + x] : -1;
-    }
-  });
-}
-
 /// Quantities of a patch.
 std::vector<ResourceQuantity> patch_quantities(const ResourceSources& sources, const EdibleStratum& stratum, std::size_t patch) {
   std::vector<ResourceQuantity> quantities;
   const std::size_t plants = stratum.species.size();
   for (std::size_t i = 0; i < plants; ++i) {
     const double kilograms =
-        growth_of(sources.web, stratum.species[i], stratum.sums[patch * plants + i], sources.ground.terrain->cell_area());
+        growth_of(sources.web, stratum.species[i], stratum.sums.growing(patch * plants + i), sources.ground.terrain->cell_area());
     if (kilograms > 0) quantities.push_back({stratum.species[i], kilograms, kilograms});
   }
   return quantities;
@@ -94,30 +75,27 @@ void make_nodes(const ResourceSources& sources, std::array<EdibleStratum, strata
   }
 }
 
-std::shared_ptr<const Grid<std::int32_t>> node_grid(const EdibleStratum& stratum) {
+std::shared_ptr<const RunMap> node_map(const EdibleStratum& stratum) {
   const RunTable& runs = stratum.patches.runs;
-  auto grid = std::make_shared<Grid<std::int32_t>>(runs.width, runs.height, -1);
-  parallel_rows(0, runs.height, [&](int y) {
-    const auto row = grid->row(y);
+  return std::make_shared<const RunMap>(collect_rows(runs.width, runs.height, [&](int y, std::vector<CellRun>& out) {
+    const std::size_t begin = out.size();
     for (const CellRun& run : runs.row(y)) {
       const std::int32_t node = stratum.node_of_patch[std::size_t(run.value)];
-      if (node >= 0) std::fill(row.begin() + run.x0, row.begin() + run.x1, node);
+      if (node >= 0) append_run(out, begin, {run.x0, run.x1, node});
     }
-  });
-  return grid;
+  }));
 }
 
 /// Subtracts from the nodes' quantities what levels below ate there.
 void subtract_eaten(const ResourceSources& sources, const EdibleStratum& stratum, std::size_t s, GraphLevel& graph) {
   const EatenZones zones(sources.below, stratum.species);
   if (zones.nothing_eaten()) return;
-  const Grid<std::int32_t>& own = *graph.node_of_cell[s];
-  RunTable table = collect_runs(own.width(), own.height(), [&](int y, std::span<std::int64_t> out) {
-    std::copy(own.row(y).begin(), own.row(y).end(), out.begin());
-    zones.refine_row(y, out);
-  });
+  RunTable table = zones.refined(graph.node_of_cell[s]->runs());
   const std::vector<std::int64_t> values = number_values(table);
-  const std::vector<std::uint64_t> sums = cover_sums(table, values.size(), sources.tiles, stratum.maps);
+  const TileReuse& reuse = sources.reuse;
+  const CoverSums sums =
+      cover_sums(table, values.size(), sources.tiles, stratum.maps, reuse.changed,
+                 reuse.before ? &reuse.before->nodes[s] : nullptr, reuse.found ? &reuse.found->nodes[s] : nullptr);
   const std::size_t plants = stratum.species.size();
   for (ResourceNode& node : graph.nodes) {
     if (node.group != int(s)) continue;
@@ -130,7 +108,7 @@ void subtract_eaten(const ResourceSources& sources, const EdibleStratum& stratum
           std::size_t(std::find(stratum.species.begin(), stratum.species.end(), quantity.species) - stratum.species.begin());
       quantity.available +=
           zones.left(values[group] % zones.count(), plant) *
-          growth_of(sources.web, quantity.species, sums[group * plants + plant], sources.ground.terrain->cell_area());
+          growth_of(sources.web, quantity.species, sums.growing(group * plants + plant), sources.ground.terrain->cell_area());
       quantity.available = std::min(quantity.available, quantity.kilograms_per_year);
     }
   }
@@ -140,10 +118,15 @@ void subtract_eaten(const ResourceSources& sources, const EdibleStratum& stratum
 
 void add_vegetation_nodes(const ResourceSources& sources, GraphLevel& graph) {
   std::array<EdibleStratum, strata> all = edible_strata(sources);
+  const TileReuse& reuse = sources.reuse;
   std::size_t present_cells = 0;
-  for (EdibleStratum& stratum : all) {
+  for (std::size_t s = 0; s < all.size(); ++s) {
+    EdibleStratum& stratum = all[s];
     if (stratum.species.empty()) continue;
-    stratum.present = present_runs(stratum, sources.tiles, sources.partition);
+    stratum.presence =
+        presence_tiles(sources.tiles, stratum.maps, reuse.changed, reuse.before ? &reuse.before->presence[s] : nullptr);
+    stratum.present = present_parts(sources.pieces, stratum.presence);
+    if (reuse.found) reuse.found->presence[s] = stratum.presence;
     for (const CellRun& run : stratum.present.runs) present_cells += std::size_t(run.x1 - run.x0);
   }
   SplitRule rule;
@@ -155,12 +138,14 @@ void add_vegetation_nodes(const ResourceSources& sources, GraphLevel& graph) {
     if (stratum.present.runs.empty()) return;
     stratum.areas = connected_areas(stratum.present);
     stratum.patches = split_into_patches(stratum.present, stratum.areas, rule);
-    stratum.sums = cover_sums(stratum.patches.runs, stratum.patches.patches.size(), sources.tiles, stratum.maps);
+    stratum.sums =
+        cover_sums(stratum.patches.runs, stratum.patches.patches.size(), sources.tiles, stratum.maps, reuse.changed,
+                   reuse.before ? &reuse.before->patches[s] : nullptr, reuse.found ? &reuse.found->patches[s] : nullptr);
   });
   make_nodes(sources, all, graph);
   for (std::size_t s = 0; s < all.size(); ++s) {
     if (all[s].patches.patches.empty()) continue;
-    graph.node_of_cell[s] = node_grid(all[s]);
+    graph.node_of_cell[s] = node_map(all[s]);
     subtract_eaten(sources, all[s], s, graph);
   }
 }

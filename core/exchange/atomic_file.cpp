@@ -27,9 +27,17 @@ Status flush_to_disk(const std::filesystem::path& path) {
   return {};
 }
 
+/// What the name stands for: a link stays, the file behind it is replaced.
+std::filesystem::path behind_links(std::filesystem::path file) {
+  std::error_code error;
+  if (!std::filesystem::is_symlink(file, error)) return file;
+  auto target = std::filesystem::weakly_canonical(file, error);
+  return error ? file : target;
+}
+
 }  // namespace
 
-AtomicFile::AtomicFile(std::filesystem::path file) : file_(std::move(file)), temporary_(temporary_beside(file_)) {}
+AtomicFile::AtomicFile(std::filesystem::path file) : file_(behind_links(std::move(file))), temporary_(temporary_beside(file_)) {}
 
 AtomicFile::~AtomicFile() {
   if (committed_) return;
@@ -42,6 +50,10 @@ Status AtomicFile::commit(bool flush) {
     if (const Status flushed = flush_to_disk(temporary_); !flushed) return flushed;
   }
   std::error_code error;
+  // Who may read and write the file stays as it was; where that cannot be kept, the work is worth more.
+  if (const auto old = std::filesystem::status(file_, error); !error && std::filesystem::is_regular_file(old)) {
+    std::filesystem::permissions(temporary_, old.permissions(), error);
+  }
   std::filesystem::rename(temporary_, file_, error);
   if (error) return fail(file_.string() + ": cannot be put in place (" + error.message() + ").");
   committed_ = true;

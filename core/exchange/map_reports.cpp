@@ -65,11 +65,10 @@ void add_environment(std::vector<MapJob>& jobs, const MapsSnapshot& snapshot, bo
                       return map_of_cells(terrain, [&](int x, int y) { return resource_mean(environment, r, x, y); });
                     }});
     for (int month = 0; all_maps && month < months; ++month) {
-      jobs.push_back({std::string("environment-") + resource_names[r] + "-" + two_digits(month + 1),
-                      [&terrain, environment, r, month] {
-                        return map_of_cells(
-                            terrain, [&](int x, int y) { return resource_value(environment, r, month, x, y); });
-                      }});
+      jobs.push_back(
+          {std::string("environment-") + resource_names[r] + "-" + two_digits(month + 1), [&terrain, environment, r, month] {
+             return map_of_cells(terrain, [&](int x, int y) { return resource_value(environment, r, month, x, y); });
+           }});
     }
   }
   jobs.push_back({"environment-texture", [environment] { return *environment.maps->texture; }});
@@ -93,12 +92,11 @@ void add_plants(std::vector<MapJob>& jobs, const MapsSnapshot& snapshot, bool al
     const CoverMap& cover = *snapshot.cover[i];
     jobs.push_back({"density-" + species.name, [&cover] { return cover_map(cover); }});
     jobs.push_back({"surplus-" + species.name, [&snapshot, &cover, number] {
-                      return plant_surplus(*snapshot.web, number, cover, snapshot.animals);
+                      return plant_surplus(*snapshot.web, number, cover, snapshot.animals, snapshot.loss(number).get());
                     }});
     if (!all_maps) continue;
-    jobs.push_back({"fitness-" + species.name, [&snapshot, &species] {
-                      return fitness_map(species.plant(), snapshot.plant_environment());
-                    }});
+    jobs.push_back({"fitness-" + species.name,
+                    [&snapshot, &species] { return fitness_map(species.plant(), snapshot.plant_environment()); }});
   }
 }
 
@@ -113,7 +111,7 @@ void add_animals(std::vector<MapJob>& jobs, const MapsSnapshot& snapshot) {
                         return animal_density(level, int(i), paint.get());
                       }});
       jobs.push_back({"surplus-" + name, [&snapshot, &level, number] {
-                        return animal_surplus(*snapshot.web, number, level, snapshot.animals);
+                        return animal_surplus(*snapshot.web, number, level, snapshot.animals, snapshot.loss(number).get());
                       }});
       jobs.push_back({"regions-" + name, [&snapshot, &level, i] {
                         const auto& label = level.regions[i]->label;
@@ -125,8 +123,7 @@ void add_animals(std::vector<MapJob>& jobs, const MapsSnapshot& snapshot) {
 
 }  // namespace
 
-Status write_maps(const std::filesystem::path& folder, const MapsSnapshot& snapshot, bool all_maps,
-                  const TaskContext& context) {
+Status write_maps(const std::filesystem::path& folder, const MapsSnapshot& snapshot, bool all_maps, const TaskContext& context) {
   std::vector<MapJob> jobs;
   add_ground(jobs, snapshot);
   add_environment(jobs, snapshot, all_maps);
@@ -139,9 +136,8 @@ Status write_maps(const std::filesystem::path& folder, const MapsSnapshot& snaps
   parallel_each(jobs.size(), [&](std::size_t i) {
     if (context.stopped()) return;
     // Isolated, so that a thread that waits for its rows does not start another map and hold two at once.
-    tbb::this_task_arena::isolate([&] {
-      written[i] = write_geotiff(folder / (jobs[i].name + ".tif"), jobs[i].make(), snapshot.terrain());
-    });
+    tbb::this_task_arena::isolate(
+        [&] { written[i] = write_geotiff(folder / (jobs[i].name + ".tif"), jobs[i].make(), snapshot.terrain()); });
     const double fraction = double(done.fetch_add(1) + 1) / double(jobs.size());
     if (std::this_thread::get_id() == caller) context.report("writing maps", fraction);
   });

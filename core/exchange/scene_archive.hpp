@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "core/base/status.hpp"
 
@@ -12,20 +13,26 @@ namespace biotope {
 
 /// Files of an archive by their name in it.
 using ArchiveEntries = std::map<std::string, std::string>;
+/// The same without owning the bytes.
+using ArchiveViews = std::map<std::string, std::string_view>;
 
-/// Writes a ZIP atomically and flushed to the disk; the same entries give the same bytes. `*.tif` are stored (they are compressed already).
+/// Writes a ZIP atomically and flushed to the disk; the same entries give the same bytes. `*.tif` are stored (they are compressed
+/// already).
+[[nodiscard]] Status write_archive_views(const std::filesystem::path& file, const ArchiveViews& entries);
 [[nodiscard]] Status write_archive(const std::filesystem::path& file, const ArchiveEntries& entries);
 
 /// A ZIP open for reading. Nothing is ever unpacked onto the disk.
 class ArchiveReader {
  public:
-  /// An Error unless the file is a whole ZIP whose names stay inside it.
+  /// An Error unless the file is a whole ZIP whose names are UTF-8, stay inside it and differ, and which does not claim to unpack
+  /// to much more than a scene of its size can.
   [[nodiscard]] static Result<ArchiveReader> open(const std::filesystem::path& file);
   ArchiveReader(ArchiveReader&&) noexcept;
   ArchiveReader& operator=(ArchiveReader&&) noexcept;
   ~ArchiveReader();
 
-  /// An entry's bytes, checked against the ZIP's checksum; an Error when it is not there, damaged, or unpacks to more than `most_bytes`.
+  /// An entry's bytes, checked against the ZIP's checksum; an Error when it is not there, damaged, or unpacks to more than
+  /// `most_bytes`.
   [[nodiscard]] Result<std::string> read(const std::string& name, std::uint64_t most_bytes) const;
 
  private:
@@ -35,6 +42,6 @@ class ArchiveReader {
 };
 
 /// FNV-1a over the bytes, 16 hexadecimal digits: tells whether entries of a scene belong together.
-[[nodiscard]] std::string checksum(const std::string& bytes);
+[[nodiscard]] std::string checksum(std::string_view bytes);
 
 }  // namespace biotope

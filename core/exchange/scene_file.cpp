@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
 
 #include "core/base/parallel.hpp"
+#include "core/exchange/placements_json.hpp"
 #include "core/exchange/scene_archive.hpp"
 #include "core/exchange/scene_json.hpp"
 #include "core/exchange/scene_raster.hpp"
@@ -13,16 +16,19 @@
 namespace biotope {
 namespace {
 
-constexpr std::uint64_t most_json_bytes = std::uint64_t(64) << 20;
+constexpr std::uint64_t most_json_bytes = std::uint64_t(32) << 20;
 constexpr const char* manifest_entry = "scene.json";
 constexpr const char* climate_entry = "climate.json";
 constexpr const char* species_entry = "species.json";
 constexpr const char* terrain_entry = "terrain.tif";
 constexpr const char* voids_entry = "voids.tif";
+constexpr const char* selection_entry = "selection.tif";
+constexpr const char* placements_entry = "placements.json";
 
-/// A raster of the scene and how it is packed.
+/// A raster of the scene, what it is made from and how it is packed.
 struct Packing {
   std::string entry;
+  std::shared_ptr<const void> source;
   std::function<Result<std::string>()> pack;
 };
 
@@ -33,27 +39,67 @@ Grid<std::uint8_t> as_bytes(const Grid<Geology>& geology) {
   return bytes;
 }
 
+/// The classes that paint of a kind may hold; geology may lie between two where a soft brush mixed them.
+std::optional<Range> legal_values(LayerKind kind) {
+  if (kind == LayerKind::geology) return Range{0, float(geology_classes - 1)};
+  return std::nullopt;
+}
+
+bool lies_within(const PaintLayer& layer, const Range& range) {
+  const auto legal = [&](const Paint& paint) { return paint.value >= range.low && paint.value <= range.high; };
+  for (std::size_t i = 0; i < layer.tile_count(); ++i) {
+    const auto& tile = layer.tile(i);
+    if (tile && !std::all_of(tile->begin(), tile->end(), legal)) return false;
+  }
+  return true;
+}
+
+/// Paint as it can be read again: values out of range are brought to the nearest legal one.
+std::shared_ptr<const PaintLayer> legal_paint(std::shared_ptr<const PaintLayer> layer, LayerKind kind) {
+  const auto range = legal_values(kind);
+  if (!range || lies_within(*layer, *range)) return layer;
+  auto legal = std::make_shared<PaintLayer>(*layer);
+  for (std::size_t i = 0; i < legal->tile_count(); ++i) {
+    if (!legal->tile(i)) continue;
+    for (Paint& paint : legal->edit_tile(i)) paint.value = std::clamp(paint.value, range->low, range->high);
+  }
+  return legal;
+}
+
 std::vector<Packing> packings(const Document& document, const SceneManifest& manifest) {
   const Terrain& terrain = *document.terrain;
   std::vector<Packing> list;
-  list.push_back({terrain_entry, [&terrain] { return encode_floats(terrain.height, terrain.georeference); }});
-  if (manifest.has_voids) list.push_back({voids_entry, [&terrain] { return encode_bytes(terrain.voids); }});
+  list.push_back({terrain_entry, document.terrain, [&terrain] { return encode_floats(terrain.height, terrain.georeference); }});
+  if (manifest.has_voids) list.push_back({voids_entry, document.terrain, [&terrain] { return encode_bytes(terrain.voids); }});
   for (const auto& layer : manifest.layers) {
-    const PaintLayer* paint = document.layers.at(layer.id).get();
-    list.push_back({layer.file, [paint] { return encode_paint(*paint); }});
+    const auto& paint = document.layers.at(layer.id);
+    list.push_back({layer.file, paint, [paint, kind = layer.id.kind] { return encode_paint(*legal_paint(paint, kind)); }});
   }
+  if (const auto& mask = document.selection) list.push_back({selection_entry, mask, [mask] { return encode_selection(*mask); }});
   for (int resource = 0; resource < monthly_resources; ++resource) {
     const auto& maps = document.given_environment.monthly[std::size_t(resource)];
     for (int month = 0; month < int(maps.size()); ++month) {
-      const Grid<float>* map = maps[std::size_t(month)].get();
-      list.push_back({given_month_entry(resource, month),
-                      [map, &terrain] { return encode_floats(*map, terrain.georeference); }});
+      const auto& map = maps[std::size_t(month)];
+      list.push_back({given_month_entry(resource, month), map, [map, &terrain] { return encode_floats(*map, terrain.georeference); }});
     }
   }
-  if (const auto* geology = document.given_environment.geology.get()) {
-    list.push_back({given_geology_entry, [geology] { return encode_bytes(as_bytes(*geology)); }});
+  if (const auto& geology = document.given_environment.geology) {
+    list.push_back({given_geology_entry, geology, [geology] { return encode_bytes(as_bytes(*geology)); }});
   }
   return list;
+}
+
+/// The packed raster, from the cache when it is of the same source.
+Result<SceneCache::Packed> pack(const Packing& raster, const SceneCache* cache) {
+  if (cache != nullptr) {
+    const auto kept = cache->entries.find(raster.entry);
+    if (kept != cache->entries.end() && kept->second.source == raster.source) return kept->second;
+  }
+  auto bytes = raster.pack();
+  if (!bytes) return tl::unexpected(bytes.error());
+  SceneCache::Packed packed{raster.source, nullptr, checksum(*bytes)};
+  packed.bytes = std::make_shared<const std::string>(std::move(*bytes));
+  return packed;
 }
 
 /// Reads entries of one scene and checks each against the manifest's checksum.
@@ -97,6 +143,11 @@ class SceneReader {
     const auto packed = entry(name, most_raster_bytes(8));
     if (!packed) return tl::unexpected(packed.error());
     return decode_paint(*packed, manifest_.width, manifest_.height, label(name));
+  }
+  [[nodiscard]] Result<SelectionMask> selection(const std::string& name) const {
+    const auto packed = entry(name, most_raster_bytes(1));
+    if (!packed) return tl::unexpected(packed.error());
+    return decode_selection(*packed, manifest_.width, manifest_.height, label(name));
   }
   [[nodiscard]] std::string label(const std::string& name) const { return file_ + ": " + name; }
 
@@ -148,8 +199,31 @@ Status read_paint(const SceneReader& reader, const SceneManifest& manifest, Docu
   for (const auto& layer : manifest.layers) {
     auto paint = reader.paint(layer.file);
     if (!paint) return tl::unexpected(paint.error());
+    if (const auto range = legal_values(layer.id.kind); range && !lies_within(*paint, *range)) {
+      return fail(reader.label(layer.file) + " is damaged: paint out of range for a layer of " +
+                  layer_kind_names()[std::size_t(layer.id.kind)] + ".");
+    }
     document.layers[layer.id] = std::make_shared<const PaintLayer>(std::move(*paint));
   }
+  document.layer_states = manifest.layer_states;
+  return {};
+}
+
+Status read_selection(const SceneReader& reader, const SceneManifest& manifest, Document& document) {
+  if (!manifest.has_selection) return {};
+  auto mask = reader.selection(selection_entry);
+  if (!mask) return tl::unexpected(mask.error());
+  document.selection = std::make_shared<const SelectionMask>(std::move(*mask));
+  return {};
+}
+
+Status read_placements(const SceneReader& reader, const SceneManifest& manifest, Document& document) {
+  if (!manifest.has_placements) return {};
+  const auto text = reader.entry(placements_entry, most_json_bytes);
+  if (!text) return tl::unexpected(text.error());
+  auto placements = parse_placements_text(*text, reader.label(placements_entry));
+  if (!placements) return tl::unexpected(placements.error());
+  document.placements = std::move(*placements);
   return {};
 }
 
@@ -173,25 +247,44 @@ Status read_given_environment(const SceneReader& reader, const SceneManifest& ma
   return {};
 }
 
+/// Nothing is saved that cannot be opened: the file that is there stays, and a person can put right what the message names.
+Status check_readable_again(const ArchiveEntries& texts) {
+  if (const auto manifest = parse_manifest(texts.at(manifest_entry), manifest_entry); !manifest) return tl::unexpected(manifest.error());
+  if (const auto climate = parse_climate(texts.at(climate_entry), climate_entry); !climate) return tl::unexpected(climate.error());
+  if (const auto species = parse_species(texts.at(species_entry), species_entry); !species) return tl::unexpected(species.error());
+  const auto text = texts.find(placements_entry);
+  if (text == texts.end()) return {};
+  if (const auto placements = parse_placements_text(text->second, placements_entry); !placements) return tl::unexpected(placements.error());
+  return {};
+}
+
 }  // namespace
 
-Status save_scene(const std::filesystem::path& file, const Document& document) {
+Status save_scene(const std::filesystem::path& file, const Document& document, SceneCache* cache) {
   assert(document.terrain && document.species);
   SceneManifest manifest = manifest_of(document);
   const auto list = packings(document, manifest);
-  std::vector<Result<std::string>> packed(list.size(), std::string());
-  parallel_each(list.size(), [&](std::size_t i) { packed[i] = list[i].pack(); });
+  std::vector<Result<SceneCache::Packed>> packed(list.size(), SceneCache::Packed());
+  parallel_each(list.size(), [&](std::size_t i) { packed[i] = pack(list[i], cache); });
 
-  ArchiveEntries entries;
+  ArchiveViews entries;
+  SceneCache kept;
   for (std::size_t i = 0; i < list.size(); ++i) {
     if (!packed[i]) return fail(file.string() + ": " + packed[i].error().message);
-    entries[list[i].entry] = std::move(*packed[i]);
+    entries[list[i].entry] = *packed[i]->bytes;
+    manifest.checksums[list[i].entry] = packed[i]->checksum;
+    kept.entries[list[i].entry] = *packed[i];
   }
-  entries[climate_entry] = climate_to_json(document.climate);
-  entries[species_entry] = species_to_json(*document.species);
-  for (const auto& [name, bytes] : entries) manifest.checksums[name] = checksum(bytes);
-  entries[manifest_entry] = manifest_to_json(manifest);
-  return write_archive(file, entries);
+  ArchiveEntries texts{{climate_entry, climate_to_json(document.climate)}, {species_entry, species_to_json(*document.species)}};
+  if (manifest.has_placements) texts[placements_entry] = placements_to_json(document.placements).dump(1) + "\n";
+  for (const auto& [name, text] : texts) manifest.checksums[name] = checksum(text);
+  texts[manifest_entry] = manifest_to_json(manifest);
+  entries.insert(texts.begin(), texts.end());
+  if (const Status readable = check_readable_again(texts); !readable) {
+    return fail(file.string() + ": is not saved, because it could not be opened again: " + readable.error().message);
+  }
+  if (cache != nullptr) *cache = std::move(kept);
+  return write_archive_views(file, entries);
 }
 
 Result<Document> load_scene(const std::filesystem::path& file) {
@@ -208,10 +301,9 @@ Result<Document> load_scene(const std::filesystem::path& file) {
   document.use_proportions = manifest->use_proportions;
   document.inflows = manifest->inflows;
   const SceneReader reader(*archive, *manifest, file.string());
-  for (const Status& part : {read_biology(reader, document), read_terrain(reader, *manifest, document),
-                             read_paint(reader, *manifest, document),
-                             read_given_environment(reader, *manifest, document)}) {
-    if (!part) return tl::unexpected(part.error());
+  if (const Status biology = read_biology(reader, document); !biology) return tl::unexpected(biology.error());
+  for (const auto& read_part : {read_terrain, read_paint, read_selection, read_placements, read_given_environment}) {
+    if (const Status part = read_part(reader, *manifest, document); !part) return tl::unexpected(part.error());
   }
   return document;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,6 +31,9 @@ struct SceneManifest {
     std::string file;
   };
   std::vector<Layer> layers;
+  std::map<LayerId, LayerState> layer_states;
+  bool has_selection = false;
+  bool has_placements = false;
   /// Resources whose twelve months are given, and whether geology is.
   std::array<bool, monthly_resources> given_months{};
   bool given_geology = false;
@@ -36,6 +41,9 @@ struct SceneManifest {
   /// Of every other entry, by name.
   std::map<std::string, std::string> checksums;
 };
+
+/// What scenes and edit scripts call the kinds of layers, in the order of LayerKind.
+[[nodiscard]] std::span<const std::string> layer_kind_names();
 
 /// What a document says of itself; layers get their file names, checksums are left empty.
 [[nodiscard]] SceneManifest manifest_of(const Document& document);

@@ -53,7 +53,9 @@ Json plant_entry(const MapsSnapshot& snapshot, std::size_t index) {
   entry["herds"] = 0;
   entry["desired"] = share_or_null(snapshot.plant_desired, index);
   entry["achieved"] = share_or_null(snapshot.plant_achieved, index);
-  entry["surplus"] = cover ? surplus_total(web, number, cover, terrain.cell_area(), snapshot.animals).surplus() : 0.0;
+  entry["surplus"] =
+      cover ? surplus_total(web, number, cover, terrain.cell_area(), snapshot.animals, snapshot.loss(number).get()).surplus()
+            : 0.0;
   return entry;
 }
 
@@ -62,8 +64,8 @@ Json animal_entry(const MapsSnapshot& snapshot, const AnimalLevel& level, std::s
   const int number = level.species[index];
   double individuals = 0;
   for (const double count : level.population[index]) individuals += count;
-  const auto herds = std::count_if(level.herds.begin(), level.herds.end(),
-                                   [&](const Herd& herd) { return herd.species == number; });
+  const auto herds =
+      std::count_if(level.herds.begin(), level.herds.end(), [&](const Herd& herd) { return herd.species == number; });
   Json entry;
   entry["name"] = web.species[std::size_t(number)].name;
   entry["level"] = level.level;
@@ -73,7 +75,9 @@ Json animal_entry(const MapsSnapshot& snapshot, const AnimalLevel& level, std::s
   entry["herds"] = herds;
   entry["desired"] = share_or_null(level.desired, index);
   entry["achieved"] = share_or_null(level.achieved, index);
-  entry["surplus"] = surplus_total(web, number, nullptr, snapshot.terrain().cell_area(), snapshot.animals).surplus();
+  entry["surplus"] =
+      surplus_total(web, number, nullptr, snapshot.terrain().cell_area(), snapshot.animals, snapshot.loss(number).get())
+          .surplus();
   return entry;
 }
 
@@ -129,9 +133,7 @@ std::string summary_json(const MapsSnapshot& snapshot, const SolveOutputOptions&
   Json summary;
   summary["version"] = options.program_version;
   summary["seed"] = snapshot.document.seed;
-  summary["grid"] = {{"width", terrain.height.width()},
-                     {"height", terrain.height.height()},
-                     {"cell_size_m", terrain.cell_size}};
+  summary["grid"] = {{"width", terrain.height.width()}, {"height", terrain.height.height()}, {"cell_size_m", terrain.cell_size}};
   summary["climate"] = snapshot.document.climate.name;
   summary["species"] = species_entries(snapshot);
   summary["regions"] = region_counts(snapshot);

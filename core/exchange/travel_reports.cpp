@@ -68,9 +68,14 @@ void append_route(std::string& text, const Terrain& terrain, const TrailRoute& r
 
 const char* kind_name(NodeKind kind) {
   switch (kind) {
-    case NodeKind::bank: return "bank";
-    case NodeKind::vegetation: return "vegetation";
-    case NodeKind::prey: return "prey";
+    case NodeKind::bank:
+      return "bank";
+    case NodeKind::vegetation:
+      return "vegetation";
+    case NodeKind::prey:
+      return "prey";
+    case NodeKind::waypoint:
+      return "waypoint";
   }
   return "";
 }
@@ -83,8 +88,8 @@ const ResourceNode* node_of(const MapsSnapshot& snapshot, int level, int node) {
 
 void append_plan(std::string& text, const MapsSnapshot& snapshot, const DailyPlan& plan) {
   text += "{\"level\":" + std::to_string(plan.level) + ",\"herd\":" + std::to_string(plan.herd) + ",\"species\":\"" +
-          species_name(snapshot, plan.species) + "\",\"size\":" + std::to_string(plan.size) + ",\"followed\":" +
-          (plan.followed < 0 ? "null" : std::to_string(plan.followed)) + ",\n \"stops\":[";
+          species_name(snapshot, plan.species) + "\",\"size\":" + std::to_string(plan.size) +
+          ",\"followed\":" + (plan.followed < 0 ? "null" : std::to_string(plan.followed)) + ",\n \"stops\":[";
   for (std::size_t i = 0; i < plan.stops.size(); ++i) {
     const PlanStop& stop = plan.stops[i];
     if (i > 0) text += ',';
@@ -171,8 +176,8 @@ std::string plans_json(const MapsSnapshot& snapshot) {
 }
 
 std::string graph_json(const MapsSnapshot& snapshot) {
-  std::string text = "{\"levels\":[\n{\"level\":0,\"nodes_are_cells\":true,\"cells\":" +
-                     std::to_string(snapshot.terrain().height.size()) + "}";
+  std::string text =
+      "{\"levels\":[\n{\"level\":0,\"nodes_are_cells\":true,\"cells\":" + std::to_string(snapshot.terrain().height.size()) + "}";
   for (std::size_t i = 1; snapshot.graph && i < snapshot.graph->levels.size(); ++i) {
     const GraphLevel& level = snapshot.graph->levels[i];
     text += ",\n{\"level\":" + std::to_string(level.level) + ",\n\"nodes\":[";

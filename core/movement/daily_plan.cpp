@@ -29,21 +29,33 @@ bool lives_on_plants(const FoodWeb& web, int species) {
 class Planner {
  public:
   Planner(const FoodWeb& web, std::span<const std::shared_ptr<const AnimalLevel>> levels, std::span<const LevelMovement> movement,
-          const Ground& ground, const TrailNetwork* trails, std::uint64_t seed)
-      : web_(web), levels_(levels), movement_(movement), ground_(ground), trails_(trails), seed_(seed), herds_(planned_herds(levels, seed)) {}
+          const Ground& ground, const TrailNetwork* trails, std::uint64_t seed, std::span<const PlanEdit> edits)
+      : web_(web),
+        levels_(levels),
+        movement_(movement),
+        ground_(ground),
+        placed_(ground),
+        trails_(trails),
+        seed_(seed),
+        herds_(planned_herds(levels, seed)),
+        edits_(levels.size()) {
+    for (const PlanEdit& edit : edits) {
+      if (const auto named = find_planned_herd(edit, web, levels)) edits_[named->level][named->herd] = &edit;
+    }
+  }
 
   void plan_level(std::size_t number) {
     const AnimalLevel& level = *levels_[number];
     const std::vector<std::uint64_t> keys = herd_keys(level, seed_);
-    const PlanInput input{web_, level, movement_[number], ground_, keys, trails_};
+    const PlanInput input{web_, level, movement_[number], ground_, keys, placed_, trails_};
     std::vector<std::optional<PlannedDay>> days(level.herds.size());
+    keep_edits(input, edits_[number], days);
     if (number > 0) follow(input, herds_[number], days);
-    std::vector<std::uint8_t> wanted(level.herds.size(), 0);
-    for (const int herd : herds_[number]) wanted[std::size_t(herd)] = !days[std::size_t(herd)];
-    graze(input, wanted, days);
-    for (const int herd : herds_[number]) {
-      auto& day = days[std::size_t(herd)];
-      const Herd& animals = level.herds[std::size_t(herd)];
+    graze(input, herds_[number], days);
+    for (std::size_t herd = 0; herd < days.size(); ++herd) {
+      auto& day = days[herd];
+      if (!day) continue;
+      const Herd& animals = level.herds[herd];
       if (!day->first.stops.empty()) plans_of_[{animals.species, animals.region}].push_back(int(plans_.size()));
       plans_.push_back(std::move(day->first));
       courses_.push_back(std::move(day->second));
@@ -60,8 +72,22 @@ class Planner {
     double weight = 0;
   };
 
-  static void graze(const PlanInput& input, std::span<const std::uint8_t> wanted, std::vector<std::optional<PlannedDay>>& days) {
-    const std::vector<DayDraft> drafts = draft_days(input, wanted);
+  static void keep_edits(const PlanInput& input, const std::map<int, const PlanEdit*>& edits,
+                         std::vector<std::optional<PlannedDay>>& days) {
+    const PlannedEdits named(edits.begin(), edits.end());
+    std::vector<PlannedDay> edited = edited_days(input, named);
+    for (std::size_t i = 0; i < named.size(); ++i) days[std::size_t(named[i].first)] = std::move(edited[i]);
+  }
+
+  static void graze(const PlanInput& input, std::span<const int> herds, std::vector<std::optional<PlannedDay>>& days) {
+    std::vector<std::uint8_t> wanted(days.size(), 0);
+    for (const int herd : herds) {
+      const auto& day = days[std::size_t(herd)];
+      // A herd whose day a person planned still takes the room it took, so that the others' days stay as they are.
+      wanted[std::size_t(herd)] = !day || (day->first.edited && lives_on_plants(input.web, day->first.species));
+    }
+    std::vector<DayDraft> drafts = draft_days(input, wanted);
+    std::erase_if(drafts, [&](const DayDraft& draft) { return days[std::size_t(draft.herd)].has_value(); });
     NodeWays ways(input);
     for (const DayDraft& draft : drafts) {
       const int graph = input.movement.travel->graph_of_species[std::size_t(draft.species_index)];
@@ -78,7 +104,8 @@ class Planner {
     std::vector<int> followers(plans_.size(), 0);
     std::vector<std::vector<Candidate>> candidates(packs.size());
     for (std::size_t i = 0; i < packs.size(); ++i) {
-      if (!lives_on_plants(web_, input.level.herds[std::size_t(packs[i])].species)) candidates[i] = candidates_of(input, packs[i]);
+      if (!lives_on_plants(web_, input.level.herds[std::size_t(packs[i])].species))
+        candidates[i] = candidates_of(input, packs[i]);
     }
     constexpr std::uint64_t rounds = 6;
     for (std::uint64_t round = 0; round < rounds; ++round) {
@@ -91,19 +118,22 @@ class Planner {
         ++followers[std::size_t(candidates[i][drawn].plan)];
         candidates[i].erase(candidates[i].begin() + std::ptrdiff_t(drawn));
       }
-      parallel_each(chosen.size(), [&](std::size_t i) { days[chosen[i].first] = try_to_follow(input, chosen[i].first, chosen[i].second); });
+      parallel_each(chosen.size(),
+                    [&](std::size_t i) { days[chosen[i].first] = try_to_follow(input, chosen[i].first, chosen[i].second); });
       for (const auto& [herd, candidate] : chosen) {
         if (!days[herd]) --followers[std::size_t(candidate.plan)];
       }
     }
   }
 
-  [[nodiscard]] std::optional<PlannedDay> try_to_follow(const PlanInput& input, std::size_t herd, const Candidate& candidate) const {
+  [[nodiscard]] std::optional<PlannedDay> try_to_follow(const PlanInput& input, std::size_t herd,
+                                                        const Candidate& candidate) const {
     const int species = species_index_of(input.level, input.level.herds[herd]);
     const FineGround ground = fine_ground(input, input.movement.travel->graph_of_species[std::size_t(species)]);
     const auto plan = std::size_t(candidate.plan);
-    return follow_herd(input, int(herd),
-                       {candidate.plan, &plans_[plan], &courses_[plan], levels_[level_of_plan_[plan]]->graph.get(), candidate.node}, ground);
+    return follow_herd(
+        input, int(herd),
+        {candidate.plan, &plans_[plan], &courses_[plan], levels_[level_of_plan_[plan]]->graph.get(), candidate.node}, ground);
   }
 
   /// Herds whose region is a resource of the pack, by P_s(v) of that region and their size; of a region with many herds some.
@@ -146,9 +176,12 @@ class Planner {
   std::span<const std::shared_ptr<const AnimalLevel>> levels_;
   std::span<const LevelMovement> movement_;
   const Ground& ground_;
+  PlacedGround placed_;
   const TrailNetwork* trails_;
   std::uint64_t seed_;
   std::vector<std::vector<int>> herds_;
+  /// By level and herd.
+  std::vector<std::map<int, const PlanEdit*>> edits_;
   std::vector<DailyPlan> plans_;
   std::vector<HerdCourse> courses_;
   std::vector<std::size_t> level_of_plan_;
@@ -184,10 +217,11 @@ DailyPlan stand_still(const PlanInput& input, int herd) {
 }
 
 Result<std::vector<DailyPlan>> compute_daily_plans(const FoodWeb& web, std::span<const std::shared_ptr<const AnimalLevel>> levels,
-                                                   std::span<const LevelMovement> movement, const Ground& ground, std::uint64_t seed,
-                                                   const TaskContext& context, const TrailNetwork* trails) {
+                                                   std::span<const LevelMovement> movement, const Ground& ground,
+                                                   std::uint64_t seed, const TaskContext& context, const TrailNetwork* trails,
+                                                   std::span<const PlanEdit> edits) {
   assert(levels.size() == movement.size());
-  Planner planner(web, levels, movement, ground, trails, seed);
+  Planner planner(web, levels, movement, ground, trails, seed, edits);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     if (context.stopped()) return fail("stopped");
     planner.plan_level(i);

@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/base/status.hpp"
 #include "core/base/task_context.hpp"
+#include "core/movement/plan_edits.hpp"
 #include "core/movement/trails.hpp"
 
 namespace biotope {
@@ -39,35 +41,61 @@ struct DailyPlan {
     PathPoint at;
   };
   std::vector<Waypoint> way;
+  /// Whether a person planned it (PlanEdit). Then stops of the edit (by number) that the herd cannot reach, or for which the
+  /// walks leave no time in a day, are left out; to others it comes earlier or later than it was asked to, since it walks no
+  /// faster than it can.
+  bool edited = false;
+  std::vector<int> unreachable_stops = {};
+  std::vector<int> shifted_stops = {};
 };
 
 enum class HerdActivity : std::uint8_t { resting, drinking, feeding, walking, hunting };
 
 /// Where a herd is.
 struct HerdState {
-  PathPoint at;        ///< cell coordinates
-  float heading = 0;   ///< radians clockwise from north
-  float speed = 0;     ///< m/s
+  PathPoint at;       ///< cell coordinates
+  float heading = 0;  ///< radians clockwise from north
+  float speed = 0;    ///< m/s
   HerdActivity activity = HerdActivity::resting;
 };
 
-/// Herds that get a plan, at most; where a map holds more they are chosen evenly over species, and within a species by chance. Our choice: more
-/// can neither be told apart on a map nor kept in little memory.
+/// Herds that get a plan, at most; where a map holds more they are chosen evenly over species, and within a species by chance.
+/// Our choice: more can neither be told apart on a map nor kept in little memory.
 inline constexpr std::size_t most_plans = 1500;
 
 /// Herds of each level that get a plan, ascending.
-[[nodiscard]] std::vector<std::vector<int>> planned_herds(std::span<const std::shared_ptr<const AnimalLevel>> levels, std::uint64_t seed,
-                                                          std::size_t most = most_plans);
+[[nodiscard]] std::vector<std::vector<int>> planned_herds(std::span<const std::shared_ptr<const AnimalLevel>> levels,
+                                                          std::uint64_t seed, std::size_t most = most_plans);
 
-/// Plans of herds (paper algorithm 3): mandatory resources first, capacities, stays from needs and quantities, active hours; predators follow
-/// herds of a level below that they can reach (those that live on plants for more than half plan like grazers). One plan a herd, levels in order, for
-/// the herds of planned_herds. A walk never is faster than the species walks on that slope, and is on the trails (may be null) where one leads along.
-/// Deterministic in `seed`; a herd's draws depend on its species, region and number there.
+/// Plans of herds (paper algorithm 3): mandatory resources first, capacities, stays from needs and quantities, active hours;
+/// predators follow herds of a level below that they can reach (those that live on plants for more than half plan like grazers).
+/// One plan a herd, levels in order, for the herds of planned_herds. A walk never is faster than the species walks on that slope,
+/// and is on the trails (may be null) where one leads along. Deterministic in `seed`; a herd's draws depend on its species,
+/// region and number there. Herds that graze call at each waypoint of their region with the probability of its attraction, for a
+/// quarter to half an hour. Nobody walks through a forbidden corridor unless there is no way around that is less than about 40
+/// times as long. A herd that an edit names keeps to the edit's stops (it always gets a plan, and follows nobody): it is at each
+/// from the asked hour on until it must go to be at the next in time. If a walk takes longer than there is time, it comes late
+/// and all that follows is later until there is time again; it is back at its first stop after a day, and what does not fit
+/// before is cut short. Of several edits of one herd the last counts.
 [[nodiscard]] Result<std::vector<DailyPlan>> compute_daily_plans(const FoodWeb& web,
                                                                  std::span<const std::shared_ptr<const AnimalLevel>> levels,
                                                                  std::span<const LevelMovement> movement, const Ground& ground,
                                                                  std::uint64_t seed, const TaskContext& context = {},
-                                                                 const TrailNetwork* trails = nullptr);
+                                                                 const TrailNetwork* trails = nullptr,
+                                                                 std::span<const PlanEdit> edits = {});
+
+/// A herd by its level (index) and its number in the level.
+struct NamedHerd {
+  std::size_t level = 0;
+  int herd = 0;
+  bool operator==(const NamedHerd&) const = default;
+};
+/// The herd that an edit names; nothing when there is no such herd (any more).
+[[nodiscard]] std::optional<NamedHerd> find_planned_herd(const PlanEdit& edit, const FoodWeb& web,
+                                                         std::span<const std::shared_ptr<const AnimalLevel>> levels);
+/// The edit that asks for what a plan already does, to be changed by a person. Nothing when the plan belongs to other levels.
+[[nodiscard]] std::optional<PlanEdit> edit_of_plan(const DailyPlan& plan, const FoodWeb& web,
+                                                   std::span<const std::shared_ptr<const AnimalLevel>> levels);
 
 /// Hours a species is active: diurnal 5-21, crepuscular 4-10 and 16-22, nocturnal 18-6, cathemeral all day (our choice).
 [[nodiscard]] std::vector<DailyPlan::Span> active_hours(Activity activity);

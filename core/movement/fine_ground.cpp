@@ -21,15 +21,56 @@ float unevenness(PathCell cell, double cell_size) {
   return 1 + strength * (north_side + (south_side - north_side) * south);
 }
 
-FineGround::FineGround(const Ground& ground, std::vector<const Grid<std::int32_t>*> regions, const WalkCost& walk,
-                       double step)
-    : regions_(std::move(regions)),
+FineGround::FineGround(const Ground& ground, std::vector<const TravelGraph*> graphs, const WalkCost& walk, double step,
+                       const PlacedGround* placed)
+    : graphs_(std::move(graphs)),
       height_(&ground.terrain->height),
       water_(ground.hydrology ? &ground.hydrology->water_depth : nullptr),
       walk_(walk),
       cell_size_(ground.terrain->cell_size),
-      stride_(std::clamp(int(std::lround(step / ground.terrain->cell_size)), 1, 8)) {
-  assert(!regions_.empty());
+      stride_(std::clamp(int(std::lround(step / ground.terrain->cell_size)), 1, 8)),
+      placed_(placed && !placed->empty() ? placed : nullptr) {
+  assert(!graphs_.empty());
+}
+
+void FineGround::mark_block(PathCell number, std::uint8_t* out, std::size_t pitch) const {
+  const Rect cells = cells_of(number);
+  const auto width = std::size_t(cells.width());
+  const auto row_of = [&](int y) { return out + std::size_t(y - cells.y0) * pitch; };
+  for (int y = cells.y0; y < cells.y1; ++y) std::fill_n(row_of(y), width, std::uint8_t(1));
+  for (const TravelGraph* graph : graphs_) {
+    if (open_cells(*graph, number) == 0) continue;
+    for (int y = cells.y0; y < cells.y1; ++y) {
+      const auto vertices = graph->vertex_of_cell.row(y).subspan(std::size_t(cells.x0), width);
+      std::uint8_t* const row = row_of(y);
+      for (std::size_t i = 0; i < width; ++i) row[i] = std::uint8_t(row[i] & std::uint8_t(vertices[i] >= 0));
+    }
+  }
+  if (!placed_) return;
+  const Rect marked = intersection(placed_->bounds(), cells);
+  for (int y = marked.y0; y < marked.y1; ++y) {
+    for (int x = marked.x0; x < marked.x1; ++x) {
+      std::uint8_t& cell = row_of(y)[x - cells.x0];
+      if (cell) cell = std::uint8_t(cell + placed_->at(x, y));
+    }
+  }
+}
+
+std::uint64_t FineGround::block_key(PathCell number) const {
+  std::uint64_t key = 0;
+  for (const TravelGraph* graph : graphs_) {
+    if (const std::uint64_t open = open_cells(*graph, number)) key += mix_bits(open);
+  }
+  if (!placed_) return key;
+  const Rect cells = cells_of(number);
+  const Rect marked = intersection(placed_->bounds(), cells);
+  for (int y = marked.y0; y < marked.y1; ++y) {
+    for (int x = marked.x0; x < marked.x1; ++x) {
+      if (const auto mark = placed_->at(x, y))
+        key += random_bits({std::uint64_t(x - cells.x0), std::uint64_t(y - cells.y0), mark});
+    }
+  }
+  return key;
 }
 
 bool FineGround::clear(PathPoint a, PathPoint b) const {
@@ -42,7 +83,8 @@ bool FineGround::clear(PathPoint a, PathPoint b) const {
   const auto width = std::size_t(height_->width());
   std::size_t last = height_->size();
   for (int i = 1; i < samples; ++i) {
-    const std::size_t cell = std::size_t(nearest_cell(a.y + dy * float(i))) * width + std::size_t(nearest_cell(a.x + dx * float(i)));
+    const std::size_t cell =
+        std::size_t(nearest_cell(a.y + dy * float(i))) * width + std::size_t(nearest_cell(a.x + dx * float(i)));
     if (cell == last) continue;
     if (!passable(cell)) return false;
     last = cell;
@@ -69,7 +111,9 @@ double FineGround::walk_along(PathPoint a, PathPoint b) const {
   for (int i = 1; i <= pieces; ++i) {
     const float t = float(i) / float(pieces);
     const PathPoint next{a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t};
-    cost += walk_between(last, next);
+    const double piece = walk_between(last, next);
+    const PathCell cell = cell_at(next);
+    cost += placed_ ? piece * double(placed_->factor(cell.x, cell.y)) : piece;
     last = next;
   }
   return cost;

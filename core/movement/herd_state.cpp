@@ -33,7 +33,7 @@ HerdActivity activity_at(const DailyPlan& plan, const GraphLevel& graph, double 
     if (!within(hour, double(stop.arrive), double(stop.leave))) continue;
     const NodeKind kind = graph.nodes[std::size_t(stop.node)].kind;
     if (kind == NodeKind::bank) return HerdActivity::drinking;
-    if (!active) return HerdActivity::resting;
+    if (!active || kind == NodeKind::waypoint) return HerdActivity::resting;
     return kind == NodeKind::prey ? HerdActivity::hunting : HerdActivity::feeding;
   }
   return plan.stops.empty() ? HerdActivity::resting : HerdActivity::walking;

@@ -48,6 +48,7 @@ void find_graphs(const FoodWeb& web, const AnimalLevel& level, const Ground& gro
   const int block = travel_block(ground.terrain->height.width(), ground.terrain->height.height());
   travel.graphs.resize(mobilities.size());
   travel.vertex_of_node.resize(mobilities.size());
+  const PlacedGround placed(ground);
   MovementCache own;
   MovementCache& graphs = cache ? *cache : own;
   for (std::size_t i = 0; i < mobilities.size(); ++i) {
@@ -56,6 +57,7 @@ void find_graphs(const FoodWeb& web, const AnimalLevel& level, const Ground& gro
       const auto cell = standing_cell(*graph, node);
       travel.vertex_of_node[i].push_back(cell ? graph->vertex_of_cell(cell->x, cell->y) : -1);
     }
+    travel.placed_cost.push_back(placed_costs(ground, *graph, placed));
     travel.graphs[i] = std::move(graph);
   }
   graphs.end_graphs(travel.graphs, level.level);
@@ -94,10 +96,11 @@ std::vector<Onward> onward_edges(const AnimalLevel& level, const Party& party, c
     const ResourceNode& b = nodes[std::size_t(node)];
     const double beeline = std::hypot(double(a.x - b.x), double(a.y - b.y)) * cell_size;
     // Nodes in one block have no way between vertices; the straight line stands for it.
-    const float seconds = std::max(float(std::max(double(cost), vertex == vertex_of_node[std::size_t(from)] ? beeline : 0.0)) / speed,
-                                   shortest_walk);
+    const float seconds = std::max(
+        float(std::max(double(cost), vertex == vertex_of_node[std::size_t(from)] ? beeline : 0.0)) / speed, shortest_walk);
     sum += double(probability) / double(seconds);
-    onward.push_back({{from, node, level.species[std::size_t(party.species_index)], seconds}, float(double(probability) / double(seconds))});
+    onward.push_back(
+        {{from, node, level.species[std::size_t(party.species_index)], seconds}, float(double(probability) / double(seconds))});
   }
   for (Onward& candidate : onward) candidate.probability = float(double(candidate.probability) / sum);
   std::erase_if(onward, [](const Onward& candidate) { return candidate.edge.seconds > longest_walk; });
@@ -109,7 +112,12 @@ std::vector<Onward> onward_edges(const AnimalLevel& level, const Party& party, c
 class EdgeFinder {
  public:
   EdgeFinder(const FoodWeb& web, const AnimalLevel& level, const LevelTravel& travel, std::size_t graph, double cell_size)
-      : web_(web), level_(level), travel_(travel), graph_(*travel.graphs[graph]), vertices_(travel.vertex_of_node[graph]), cell_size_(cell_size) {
+      : web_(web),
+        level_(level),
+        graph_(*travel.graphs[graph]),
+        cost_(travel.cost(graph)),
+        vertices_(travel.vertex_of_node[graph]),
+        cell_size_(cell_size) {
     wanted_.assign(vertices_.size(), 0);
     for (std::size_t s = 0; s < level.species.size(); ++s) {
       if (travel.graph_of_species[s] != int(graph)) continue;
@@ -127,7 +135,7 @@ class EdgeFinder {
 
   void run(MovementCache* cache, std::vector<Onward>& out) const {
     const std::size_t nodes = vertices_.size();
-    const ReachedNodes* known = cache ? cache->reached(graph_, vertices_) : nullptr;
+    const ReachedNodes* known = cache ? cache->reached(graph_, cost_, vertices_) : nullptr;
     ReachedNodes reached = known ? *known : ReachedNodes(nodes);
     std::vector<std::vector<Onward>> found(nodes);
     constexpr std::size_t chunk = 32;
@@ -137,7 +145,7 @@ class EdgeFinder {
       for (std::size_t node = i * chunk; node < std::min(nodes, (i + 1) * chunk); ++node) {
         if (!wanted_[node]) continue;
         if (reached[node].empty()) {
-          if (!search) search.emplace(graph_, graph_.cost);
+          if (!search) search.emplace(graph_, cost_);
           reached[node] = search_from(*search, node);
         }
         for (const ReachedNode& other : reached[node]) cost[std::size_t(other.node)] = other.cost;
@@ -146,7 +154,7 @@ class EdgeFinder {
       }
     });
     for (const auto& of_node : found) out.insert(out.end(), of_node.begin(), of_node.end());
-    if (cache) cache->keep_reached(graph_, vertices_, std::move(reached));
+    if (cache) cache->keep_reached(graph_, cost_, vertices_, std::move(reached));
   }
 
  private:
@@ -156,9 +164,19 @@ class EdgeFinder {
     for (std::size_t other = 0; other < vertices_.size(); ++other) {
       if (vertices_[other] < 0) continue;
       const float cost = search.cost(std::uint32_t(vertices_[other]));
-      if (cost < unreached) reached.push_back({int(other), cost});
+      if (cost < unreached)
+        reached.push_back(
+            {int(other), cost_.data() == graph_.cost.data() ? cost : walk_to(search, std::uint32_t(vertices_[other]))});
     }
     return reached;
+  }
+
+  /// What a way that was chosen by other costs takes to walk.
+  [[nodiscard]] float walk_to(const TravelSearch& search, std::uint32_t vertex) const {
+    double walk = 0;
+    for (; search.parent(vertex) >= 0; vertex = std::uint32_t(search.parent(vertex)))
+      walk += double(graph_.cost[search.parent_slot(vertex)]);
+    return float(walk);
   }
 
   void from_node(int node, const std::vector<float>& cost, std::vector<Onward>& out) const {
@@ -174,8 +192,8 @@ class EdgeFinder {
 
   const FoodWeb& web_;
   const AnimalLevel& level_;
-  const LevelTravel& travel_;
   const TravelGraph& graph_;
+  std::span<const float> cost_;
   const std::vector<std::int32_t>& vertices_;
   double cell_size_;
   std::vector<Party> parties_;

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 
 #include "core/base/random.hpp"
 
 namespace biotope {
 
-std::shared_ptr<const TravelGraph> MovementCache::graph(const Ground& ground, const std::shared_ptr<const ConfinementRegions>& regions,
+std::shared_ptr<const TravelGraph> MovementCache::graph(const Ground& ground,
+                                                        const std::shared_ptr<const ConfinementRegions>& regions,
                                                         const Mobility& mobility, int block) {
   for (GraphEntry& entry : graphs_) {
     if (entry.terrain != ground.terrain || entry.hydrology != ground.hydrology || entry.block != block) continue;
@@ -17,20 +17,30 @@ std::shared_ptr<const TravelGraph> MovementCache::graph(const Ground& ground, co
     return entry.graph;
   }
   auto made = std::make_shared<const TravelGraph>(build_travel_graph(ground, *regions, mobility, block));
-  graphs_.push_back({ground.terrain, ground.hydrology, regions, block, -1, made, 0, {}, {}});
+  graphs_.push_back({ground.terrain, ground.hydrology, regions, block, -1, made, 0, {}, {}, {}});
   return made;
 }
 
-const ReachedNodes* MovementCache::reached(const TravelGraph& graph, const std::vector<std::int32_t>& vertices) const {
+const ReachedNodes* MovementCache::reached(const TravelGraph& graph, std::span<const float> cost,
+                                           const std::vector<std::int32_t>& vertices) const {
+  const bool own = cost.data() == graph.cost.data();
   for (const GraphEntry& entry : graphs_) {
-    if (entry.graph.get() == &graph) return entry.vertices == vertices ? &entry.reached : nullptr;
+    if (entry.graph.get() != &graph) continue;
+    const bool same_cost = own ? entry.cost.empty() : std::equal(cost.begin(), cost.end(), entry.cost.begin(), entry.cost.end());
+    return same_cost && entry.vertices == vertices ? &entry.reached : nullptr;
   }
   return nullptr;
 }
 
-void MovementCache::keep_reached(const TravelGraph& graph, const std::vector<std::int32_t>& vertices, ReachedNodes reached) {
+void MovementCache::keep_reached(const TravelGraph& graph, std::span<const float> cost, const std::vector<std::int32_t>& vertices,
+                                 ReachedNodes reached) {
   for (GraphEntry& entry : graphs_) {
     if (entry.graph.get() != &graph) continue;
+    if (cost.data() == graph.cost.data()) {
+      entry.cost.clear();
+    } else {
+      entry.cost.assign(cost.begin(), cost.end());
+    }
     entry.vertices = vertices;
     entry.reached = std::move(reached);
   }
@@ -71,19 +81,13 @@ void MovementCache::end_paths() {
   std::erase_if(paths_, [this](const auto& entry) { return entry.second.run + 1 < run_; });
 }
 
-std::uint64_t path_key(const Tube& tube, PathCell from, PathCell to, const Mobility& mobility) {
+std::uint64_t path_key(const FineGround& ground, const Tube& tube, PathCell from, PathCell to, const Mobility& mobility) {
   const auto pair = [](int a, int b) { return (std::uint64_t(std::uint32_t(a)) << 32) | std::uint32_t(b); };
   const auto bits = [](float value) { return std::uint64_t(std::bit_cast<std::uint32_t>(value)); };
-  std::uint64_t key = random_bits({pair(from.x, from.y), pair(to.x, to.y), pair(tube.cells.x0, tube.cells.y0), pair(tube.cells.x1, tube.cells.y1),
-                                   bits(mobility.max_slope), bits(mobility.slope_sensitivity)});
-  std::size_t i = 0;
-  for (; i + 8 <= tube.open.size(); i += 8) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, tube.open.data() + i, 8);
-    key = std::rotl(key ^ word, 23) * 0x9e3779b97f4a7c15ULL;
-  }
-  for (; i < tube.open.size(); ++i) key = mix_bits(key ^ tube.open[i]);
-  return mix_bits(key);
+  std::uint64_t key =
+      random_bits({pair(from.x, from.y), pair(to.x, to.y), bits(mobility.max_slope), bits(mobility.slope_sensitivity)});
+  for (const PathCell& block : tube.blocks) key = mix_bits(mix_bits(key ^ pair(block.x, block.y)) ^ ground.block_key(block));
+  return key;
 }
 
 }  // namespace biotope

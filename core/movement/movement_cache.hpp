@@ -12,23 +12,27 @@
 
 namespace biotope {
 
-/// By node: nodes that a search from it reached, with the cost (metres of flat walking). Empty where no search was made.
+/// By node: nodes that a search from it reached, with what the way takes (metres of flat walking). Empty where no search was
+/// made.
 struct ReachedNode {
   int node = 0;
   float cost = 0;
 };
 using ReachedNodes = std::vector<std::vector<ReachedNode>>;
 
-/// What movement found before and may need again: pure memoisation, results are the same with and without it. Entries that two runs in a row did
-/// not use are dropped. For one run at a time.
+/// What movement found before and may need again: pure memoisation, results are the same with and without it. Entries that two
+/// runs in a row did not use are dropped. For one run at a time.
 class MovementCache {
  public:
   /// The graph of a mobility over regions with the same labels; built when there is none.
-  [[nodiscard]] std::shared_ptr<const TravelGraph> graph(const Ground& ground, const std::shared_ptr<const ConfinementRegions>& regions,
+  [[nodiscard]] std::shared_ptr<const TravelGraph> graph(const Ground& ground,
+                                                         const std::shared_ptr<const ConfinementRegions>& regions,
                                                          const Mobility& mobility, int block);
-  /// What searches over a graph found between nodes at these vertices; null when it is not known.
-  [[nodiscard]] const ReachedNodes* reached(const TravelGraph& graph, const std::vector<std::int32_t>& vertices) const;
-  void keep_reached(const TravelGraph& graph, const std::vector<std::int32_t>& vertices, ReachedNodes reached);
+  /// What searches over a graph by these costs found between nodes at these vertices; null when it is not known.
+  [[nodiscard]] const ReachedNodes* reached(const TravelGraph& graph, std::span<const float> cost,
+                                            const std::vector<std::int32_t>& vertices) const;
+  void keep_reached(const TravelGraph& graph, std::span<const float> cost, const std::vector<std::int32_t>& vertices,
+                    ReachedNodes reached);
   /// Ends a run of a level over its mobilities: forgets graphs of the level that neither it nor the run before used.
   void end_graphs(std::span<const std::shared_ptr<const TravelGraph>> used, int level);
 
@@ -50,7 +54,8 @@ class MovementCache {
     int level = 0;
     std::shared_ptr<const TravelGraph> graph;
     int unused_runs = 0;
-    /// Vertices of the nodes that were last asked for, and what was found between them.
+    /// Costs (empty for the graph's own) and vertices of the nodes that were last asked for, and what was found between them.
+    std::vector<float> cost;
     std::vector<std::int32_t> vertices;
     ReachedNodes reached;
   };
@@ -66,6 +71,7 @@ class MovementCache {
 };
 
 /// Key of a fine path: its ends, the tube with what is open in it, and who walks.
-[[nodiscard]] std::uint64_t path_key(const Tube& tube, PathCell from, PathCell to, const Mobility& mobility);
+[[nodiscard]] std::uint64_t path_key(const FineGround& ground, const Tube& tube, PathCell from, PathCell to,
+                                     const Mobility& mobility);
 
 }  // namespace biotope

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/base/random.hpp"
 #include "core/movement/plan_parts.hpp"
@@ -17,6 +18,9 @@ constexpr float longest_leg = 2;
 /// Detour of a real way against the straight line, to guess the way home. Our choice.
 constexpr double detour = 1.4;
 constexpr std::size_t most_stops = 24;
+/// How long a herd stays at a waypoint, h. Our choice.
+constexpr double shortest_call = 0.25;
+constexpr double longest_call = 0.5;
 
 /// Drafts the days of one level.
 class Drafter {
@@ -41,12 +45,14 @@ class Drafter {
     }
     while (drunk_ < visits_ && visit(true)) {
     }
+    add_waypoints();
     return day_;
   }
 
  private:
   [[nodiscard]] const ResourceNode& node(int number) const { return input_.level.graph->nodes[std::size_t(number)]; }
   [[nodiscard]] bool is_bank(int number) const { return node(number).kind == NodeKind::bank; }
+  [[nodiscard]] bool is_waypoint(int number) const { return node(number).kind == NodeKind::waypoint; }
   [[nodiscard]] int here() const { return day_.stays.back().node; }
   [[nodiscard]] double chance(std::uint64_t what) const {
     return random_unit({input_.keys[std::size_t(day_.herd)], what, day_.stays.size()});
@@ -85,7 +91,7 @@ class Drafter {
     for (const bool crowded : {false, true}) {
       const int drawn = draw(presence_.size(), chance(1), [&](std::size_t i) {
         const auto& [number, probability] = presence_[i];
-        if (is_bank(number) || !stands(number)) return 0.0;
+        if (is_bank(number) || is_waypoint(number) || !stands(number)) return 0.0;
         return crowded || room(number, active_hours(animal_->activity).back().until) ? double(probability) : 0.0;
       });
       if (drawn >= 0) return presence_[std::size_t(drawn)].node;
@@ -98,9 +104,7 @@ class Drafter {
   }
 
   [[nodiscard]] float hours_home(int number) const {
-    const double metres =
-        std::hypot(double(node(number).x - node(home_).x), double(node(number).y - node(home_).y)) * input_.ground.terrain->cell_size;
-    return float(metres * detour / double(animal_->speed) / 3600);
+    return float(metres_between(number, home_) * detour / double(animal_->speed) / 3600);
   }
 
   /// 90 to 150 minutes (2021 authors), longer where more is to be had; drinking takes 25 to 45 minutes (our choice).
@@ -137,7 +141,8 @@ class Drafter {
       const int drawn = draw(std::size_t(last - first), chance(bank ? 3 : 4), [&](std::size_t i) {
         const SpatialEdge& edge = edges[offset + i];
         const float walk = edge.seconds / 3600;
-        if (is_bank(edge.to) != bank || walk > longest_leg || (!crowded && !room(edge.to, hour_ + walk))) return 0.0;
+        if (is_bank(edge.to) != bank || is_waypoint(edge.to) || walk > longest_leg || (!crowded && !room(edge.to, hour_ + walk)))
+          return 0.0;
         // What lies far from home is for another day.
         return double(input_.movement.travel->onward[offset + i]) / (1 + double(hours_home(edge.to)));
       });
@@ -148,6 +153,35 @@ class Drafter {
       return true;
     }
     return false;
+  }
+
+  /// Waypoints that are drawn by their attraction, each where it is least out of the way; none that is farther than a walk may
+  /// be.
+  void add_waypoints() {
+    for (const auto& presence : presence_) {
+      const ResourceNode& place = node(presence.node);
+      if (!is_waypoint(presence.node) || !stands(presence.node)) continue;
+      const auto unit = [&](std::uint64_t what) {
+        return random_unit({input_.keys[std::size_t(day_.herd)], std::uint64_t(place.x), std::uint64_t(place.y), what});
+      };
+      if (unit(61) >= double(place.attraction)) continue;
+      std::size_t best = 0;
+      double least = std::numeric_limits<double>::infinity();
+      for (std::size_t i = 0; i < day_.stays.size(); ++i) {
+        const int from = day_.stays[i].node;
+        const int to = day_.stays[(i + 1) % day_.stays.size()].node;
+        const double more = metres_between(from, presence.node) + metres_between(presence.node, to) - metres_between(from, to);
+        if (more >= least) continue;
+        least = more;
+        best = i;
+      }
+      if (least * detour / double(animal_->speed) / 3600 > double(longest_leg)) continue;
+      const float hours = float(shortest_call + (longest_call - shortest_call) * unit(62));
+      day_.stays.insert(day_.stays.begin() + std::ptrdiff_t(best) + 1, PlannedStay{presence.node, hours, 0});
+    }
+  }
+  [[nodiscard]] double metres_between(int a, int b) const {
+    return std::hypot(double(node(a).x - node(b).x), double(node(a).y - node(b).y)) * input_.ground.terrain->cell_size;
   }
 
   [[nodiscard]] bool thirsty() const {

@@ -18,12 +18,13 @@ constexpr double stop_wait = 10.0 / 60;
 constexpr double drink = 0.25;
 constexpr double spare = 0.1;
 
-/// The herd's walks of a day as one line, with the hour the herd passes each point. Stays take no length: a stop's point is there twice.
+/// The herd's walks of a day as one line, with the hour the herd passes each point. Stays take no length: a stop's point is there
+/// twice.
 struct Track {
   std::vector<PathPoint> points;
   std::vector<double> along;  ///< m from the first point
   std::vector<double> hour;
-  std::vector<double> cost;   ///< metres of flat walking from the first point
+  std::vector<double> cost;  ///< metres of flat walking from the first point
   struct Stop {
     double along = 0;
     double hour = 0;
@@ -96,7 +97,7 @@ bool can_walk(const FineGround& ground, const std::vector<PathPoint>& points) {
 }
 
 /// The herd's track over ground the predator can walk; empty when there is none.
-Track track_of(const FollowedHerd& followed, const FineGround& ground, const TravelGraph& graph, const TrailNetwork* trails) {
+Track track_of(const PlanInput& input, int graph, const FollowedHerd& followed, const FineGround& ground) {
   Track track;
   for (const CourseLeg& leg : *followed.course) {
     if (leg.points.size() < 2) continue;
@@ -106,7 +107,7 @@ Track track_of(const FollowedHerd& followed, const FineGround& ground, const Tra
       const PathCell from = cell_at(points.front());
       const PathCell to = cell_at(points.back());
       if (!ground.passable(from.x, from.y) || !ground.passable(to.x, to.y)) return {};
-      points = way_between(ground, graph, trails, from, to).points;
+      points = way_between(input, graph, ground, from, to).points;
       if (points.size() < 2) return {};
       hours = hours_along(leg, points);
     }
@@ -116,7 +117,8 @@ Track track_of(const FollowedHerd& followed, const FineGround& ground, const Tra
       if (!track.points.empty()) {
         cost = track.cost.back() + ground.walk_between(track.points.back(), points[i]);
         metres = track.along.back() +
-                 std::hypot(double(points[i].x - track.points.back().x), double(points[i].y - track.points.back().y)) * ground.cell_size();
+                 std::hypot(double(points[i].x - track.points.back().x), double(points[i].y - track.points.back().y)) *
+                     ground.cell_size();
       }
       track.points.push_back(points[i]);
       track.along.push_back(metres);
@@ -169,8 +171,8 @@ class Follower {
     leg_.hours.push_back(float(hour));
   }
 
-  /// Hour before which it does not pass a place: when the herd is a gap further on, or has come to drink close by. While it is not active it rests
-  /// where it is, and sets out in time to be behind the herd again when it is.
+  /// Hour before which it does not pass a place: when the herd is a gap further on, or has come to drink close by. While it is
+  /// not active it rests where it is, and sets out in time to be behind the herd again when it is.
   [[nodiscard]] double not_before(double along) const {
     const double passing = passing_hour(along);
     for (std::size_t i = 0; i < plan_.active.size(); ++i) {
@@ -194,7 +196,8 @@ class Follower {
   /// Time it takes to drink on the way between two places of the track, h.
   [[nodiscard]] double drinking_hours(double from, double until) const {
     double hours = 0;
-    for (const Track::Stop& place : track_.stops) hours += place.bank >= 0 && place.along > from && place.along <= until ? drink : 0.0;
+    for (const Track::Stop& place : track_.stops)
+      hours += place.bank >= 0 && place.along > from && place.along <= until ? drink : 0.0;
     return hours;
   }
   [[nodiscard]] double passing_hour(double along) const {
@@ -220,7 +223,8 @@ class Follower {
   /// Where the herd has drunk before it, it drinks too, unless it just did.
   void drink_at(double along) {
     for (const Track::Stop& place : track_.stops) {
-      if (place.bank < 0 || place.along <= last_along_ || place.along > along || drunk_ >= visits_ || hour_ < last_drink_ + 1) continue;
+      if (place.bank < 0 || place.along <= last_along_ || place.along > along || drunk_ >= visits_ || hour_ < last_drink_ + 1)
+        continue;
       const int bank = bank_near(followed_.graph->nodes[std::size_t(place.bank)]);
       if (bank < 0 || hour_ + drink > latest_) continue;
       end_leg(bank, hour_, hour_ + drink);
@@ -308,9 +312,7 @@ std::optional<std::pair<DailyPlan, HerdCourse>> lie_in_wait(const PlanInput& inp
   PathPoint at = home;
   constexpr std::uint64_t tries = 64;
   for (std::uint64_t i = 0; i < tries; ++i) {
-    const auto unit = [&](std::uint64_t what) {
-      return random_unit({input.keys[std::size_t(herd)], i, what});
-    };
+    const auto unit = [&](std::uint64_t what) { return random_unit({input.keys[std::size_t(herd)], i, what}); };
     const double angle = 2 * 3.14159265358979 * unit(31);
     const double cells = (nearest_gap + (widest_gap - nearest_gap) * unit(32)) / ground.cell_size();
     const PathPoint place{home.x + float(cells * std::cos(angle)), home.y + float(cells * std::sin(angle))};
@@ -331,7 +333,7 @@ std::optional<std::pair<DailyPlan, HerdCourse>> follow_herd(const PlanInput& inp
   if (followed.course->empty()) return lie_in_wait(input, herd, followed, ground);
   const LevelTravel& travel = *input.movement.travel;
   const int species = species_index_of(input.level, input.level.herds[std::size_t(herd)]);
-  const Track track = track_of(followed, ground, *travel.graphs[std::size_t(travel.graph_of_species[std::size_t(species)])], input.trails);
+  const Track track = track_of(input, travel.graph_of_species[std::size_t(species)], followed, ground);
   if (track.points.size() < 2 || track.length() <= 0) return std::nullopt;
   return Follower(input, herd, followed, ground, track).write();
 }

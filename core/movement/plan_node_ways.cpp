@@ -33,11 +33,12 @@ struct OnTrail {
   std::int64_t last = 0;
 };
 
-/// Draws ways over a travel graph on the fine ground: along trails where there are any, else straight from place to place, past places where that
-/// costs no more, and around obstacles.
+/// Draws ways over a travel graph on the fine ground: along trails where there are any, else straight from place to place, past
+/// places where that costs no more, and around obstacles.
 class WayDrawer {
  public:
-  WayDrawer(const FineGround& ground, const TravelGraph& graph, const TrailNetwork* trails) : ground_(ground), graph_(graph), trails_(trails) {}
+  WayDrawer(const FineGround& ground, const TravelGraph& graph, const TrailNetwork* trails)
+      : ground_(ground), graph_(graph), trails_(trails) {}
 
   [[nodiscard]] NodeWay draw(std::span<const std::uint32_t> vertices, PathCell from, PathCell to) {
     points_.assign(1, point_of(from));
@@ -45,14 +46,16 @@ class WayDrawer {
     std::vector<PathPoint> places{point_of(from)};
     std::size_t edge = 0;
     for (const OnTrail& trail : trails_along(vertices, from, to)) {
-      for (std::size_t v = std::max<std::size_t>(edge, 1); v < trail.first_edge; ++v) places.push_back(point_of(place_of(graph_, vertices[v])));
+      for (std::size_t v = std::max<std::size_t>(edge, 1); v < trail.first_edge; ++v)
+        places.push_back(point_of(place_of(graph_, vertices[v])));
       places.push_back((*trail.points)[std::size_t(trail.first)]);
       if (!append_places(places)) return whole(vertices, from, to);
       append_trail(trail);
       places.assign(1, points_.back());
       edge = trail.last_edge + 1;
     }
-    for (std::size_t v = std::max<std::size_t>(edge, 1); v + 1 < vertices.size(); ++v) places.push_back(point_of(place_of(graph_, vertices[v])));
+    for (std::size_t v = std::max<std::size_t>(edge, 1); v + 1 < vertices.size(); ++v)
+      places.push_back(point_of(place_of(graph_, vertices[v])));
     places.push_back(point_of(to));
     if (!append_places(places)) return whole(vertices, from, to);
     round_path(ground_, fixed_, points_);
@@ -65,7 +68,8 @@ class WayDrawer {
     std::vector<OnTrail> runs;
     if (!trails_ || !trails_->ways) return runs;
     const auto cell = [&](std::uint32_t v) {
-      return std::uint32_t(graph_.vertices[v].y) * std::uint32_t(graph_.vertex_of_cell.width()) + std::uint32_t(graph_.vertices[v].x);
+      return std::uint32_t(graph_.vertices[v].y) * std::uint32_t(graph_.vertex_of_cell.width()) +
+             std::uint32_t(graph_.vertices[v].x);
     };
     for (std::size_t e = 0; e + 1 < vertices.size(); ++e) {
       const std::uint32_t a = cell(vertices[e]);
@@ -130,7 +134,7 @@ class WayDrawer {
         continue;
       }
       const std::array over{cell_at(places[at]), cell_at(places[at + 1])};
-      const auto around = fine_path(ground_, graph_.block, over, over[0], over[1]);
+      const auto around = fine_path(ground_, over, over[0], over[1]);
       if (around.empty()) return false;
       for (const PathCell& cell : around) append(point_of(cell), false);
       append(places[at + 1], false);
@@ -146,7 +150,7 @@ class WayDrawer {
     double by_places = 0;
     for (std::size_t next = at + 1; next < std::min(places.size(), at + 1 + most_skipped); ++next) {
       const PathPoint end = places[next];
-      if (!ground_.clear(start, end)) break;
+      if (!ground_.allows(start, end)) break;
       by_places += ground_.walk_along(places[next - 1], end);
       if (next > at + 1 && ground_.walk_along(start, end) > by_places * skipping_cost) break;
       reached = next;
@@ -166,7 +170,7 @@ class WayDrawer {
   [[nodiscard]] NodeWay whole(std::span<const std::uint32_t> vertices, PathCell from, PathCell to) const {
     std::vector<PathCell> places{from};
     for (const std::uint32_t v : vertices) places.push_back(place_of(graph_, v));
-    const auto cells = fine_path(ground_, graph_.block, places, from, to);
+    const auto cells = fine_path(ground_, places, from, to);
     return cells.empty() ? NodeWay{} : costed(smooth_path(ground_, points_of(cells)));
   }
 
@@ -187,9 +191,11 @@ class WayDrawer {
 };
 
 /// Costs by which ways are chosen: on worn ground where there are trails.
-std::span<const float> way_costs(const TravelGraph& graph, const TrailNetwork* trails) {
-  const TrailWays::WornGraph* worn = trails && trails->ways ? trails->ways->find(&graph) : nullptr;
-  return worn ? std::span<const float>(worn->cost) : std::span<const float>(graph.cost);
+std::span<const float> way_costs(const PlanInput& input, int graph) {
+  const LevelTravel& travel = *input.movement.travel;
+  const TravelGraph* own = travel.graphs[std::size_t(graph)].get();
+  const TrailWays::WornGraph* worn = input.trails && input.trails->ways ? input.trails->ways->find(own) : nullptr;
+  return worn ? std::span<const float>(worn->cost) : travel.cost(std::size_t(graph));
 }
 
 }  // namespace
@@ -210,11 +216,11 @@ std::optional<PathCell> standing_cell(const TravelGraph& graph, const ResourceNo
 
 FineGround fine_ground(const PlanInput& input, int graph) {
   const LevelTravel& travel = *input.movement.travel;
-  const auto species = std::find(travel.graph_of_species.begin(), travel.graph_of_species.end(), graph) - travel.graph_of_species.begin();
   return {input.ground,
-          {&input.level.regions[std::size_t(species)]->label},
+          {travel.graphs[std::size_t(graph)].get()},
           WalkCost(travel.graphs[std::size_t(graph)]->mobility),
-          plan_step};
+          plan_step,
+          &input.placed};
 }
 
 void NodeWays::need(int graph, int from, int to) { ways_[{graph, from}].try_emplace(to); }
@@ -240,7 +246,7 @@ void NodeWays::find() {
       ++goals[std::size_t(graph.vertex_of_cell(end->x, end->y))];
       ++wanted;
     }
-    TravelSearch search(graph, way_costs(graph, input_.trails));
+    TravelSearch search(graph, way_costs(input_, number));
     search.run(std::uint32_t(graph.vertex_of_cell(start->x, start->y)), goals, wanted);
     WayDrawer drawer(grounds[std::size_t(number)], graph, input_.trails);
     for (const auto& [to, end] : ends) {
@@ -257,16 +263,17 @@ const NodeWay* NodeWays::get(int graph, int from, int to) const {
   return way == ways->second.end() || way->second.points.empty() ? nullptr : &way->second;
 }
 
-NodeWay way_between(const FineGround& ground, const TravelGraph& graph, const TrailNetwork* trails, PathCell from, PathCell to) {
+NodeWay way_between(const PlanInput& input, int number, const FineGround& ground, PathCell from, PathCell to) {
+  const TravelGraph& graph = *input.movement.travel->graphs[std::size_t(number)];
   const auto& cells = graph.vertex_of_cell;
   if (cells(from.x, from.y) < 0 || cells(to.x, to.y) < 0) return {};
   const auto goal = std::uint32_t(cells(to.x, to.y));
   std::vector<std::uint16_t> goals(graph.vertices.size(), 0);
   goals[goal] = 1;
-  TravelSearch search(graph, way_costs(graph, trails));
+  TravelSearch search(graph, way_costs(input, number));
   search.run(std::uint32_t(cells(from.x, from.y)), goals, 1);
   const auto vertices = travel_path(search, goal);
-  return vertices.empty() ? NodeWay{} : WayDrawer(ground, graph, trails).draw(vertices, from, to);
+  return vertices.empty() ? NodeWay{} : WayDrawer(ground, graph, input.trails).draw(vertices, from, to);
 }
 
 }  // namespace biotope

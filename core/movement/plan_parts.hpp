@@ -51,18 +51,19 @@ struct PlanInput {
   const Ground& ground;
   /// See herd_keys.
   std::span<const std::uint64_t> keys;
+  const PlacedGround& placed;
   const TrailNetwork* trails = nullptr;
 };
 
-/// What a herd's draws come from: a number that depends on the seed, its species, its region and how many such herds come before it, so that herds
-/// elsewhere do not change its day.
+/// What a herd's draws come from: a number that depends on the seed, its species, its region and how many such herds come before
+/// it, so that herds elsewhere do not change its day.
 [[nodiscard]] std::vector<std::uint64_t> herd_keys(const AnimalLevel& level, std::uint64_t seed);
 
 /// Cell at or near a node where the mobility of `graph` can stand; nothing when there is none close by.
 [[nodiscard]] std::optional<PathCell> standing_cell(const TravelGraph& graph, const ResourceNode& node);
 
-/// Drafts of the days of a level's herds (paper algorithm 3), one after the other since each takes room at the nodes it visits. `wanted` says
-/// for every herd whether to plan it. Times between nodes are those of the spatial edges.
+/// Drafts of the days of a level's herds (paper algorithm 3), one after the other since each takes room at the nodes it visits.
+/// `wanted` says for every herd whether to plan it. Times between nodes are those of the spatial edges.
 [[nodiscard]] std::vector<DayDraft> draft_days(const PlanInput& input, std::span<const std::uint8_t> wanted);
 
 /// The ground under the mobility of one travel graph of the level.
@@ -86,11 +87,21 @@ class NodeWays {
   std::map<std::pair<int, int>, std::map<int, NodeWay>> ways_;
 };
 
-/// Way with costs between two passable cells; empty when there is none.
-[[nodiscard]] NodeWay way_between(const FineGround& ground, const TravelGraph& graph, const TrailNetwork* trails, PathCell from, PathCell to);
+/// Way with costs between two passable cells of a travel graph of the level; empty when there is none.
+[[nodiscard]] NodeWay way_between(const PlanInput& input, int graph, const FineGround& ground, PathCell from, PathCell to);
 
-/// Turns a draft into a plan with a timed way, and its course. A draft whose ways do not exist or do not fit into a day stays at home.
+/// Turns a draft into a plan with a timed way, and its course. A draft whose ways do not exist or do not fit into a day stays at
+/// home.
 [[nodiscard]] std::pair<DailyPlan, HerdCourse> walk_day(const PlanInput& input, const DayDraft& draft, const NodeWays& ways);
+
+/// What a herd does when its stops are known: the way of its day, and its course. Leg i goes from stop i to stop i + 1, the last
+/// one back to the first stop, where the herd is at the same hour a day later; no legs for a herd that stays at one stop.
+[[nodiscard]] std::pair<DailyPlan, HerdCourse> write_stops(const PlanInput& input, int herd, std::span<const PlanStop> stops,
+                                                           std::span<const NodeWay* const> legs);
+
+/// Days of herds that a person planned: herd and edit.
+using PlannedEdits = std::vector<std::pair<int, const PlanEdit*>>;
+[[nodiscard]] std::vector<std::pair<DailyPlan, HerdCourse>> edited_days(const PlanInput& input, const PlannedEdits& edits);
 
 /// A herd that stands still all day in its region.
 [[nodiscard]] DailyPlan stand_still(const PlanInput& input, int herd);
@@ -101,12 +112,13 @@ struct FollowedHerd {
   const DailyPlan* day = nullptr;
   const HerdCourse* course = nullptr;
   const GraphLevel* graph = nullptr;  ///< nodes its stops name
-  int prey_node = -1;  ///< node of the predator's level that stands for its region
+  int prey_node = -1;                 ///< node of the predator's level that stands for its region
 };
 
-/// A predator's day behind a herd (it walks 100 to 300 m after it, nearer at water). Nothing when the herd goes where it cannot follow.
-[[nodiscard]] std::optional<std::pair<DailyPlan, HerdCourse>> follow_herd(const PlanInput& input, int herd, const FollowedHerd& followed,
-                                                                          const FineGround& ground);
+/// A predator's day behind a herd (it walks 100 to 300 m after it, nearer at water). Nothing when the herd goes where it cannot
+/// follow.
+[[nodiscard]] std::optional<std::pair<DailyPlan, HerdCourse>> follow_herd(const PlanInput& input, int herd,
+                                                                          const FollowedHerd& followed, const FineGround& ground);
 
 /// Index of the herd's species in the level.
 [[nodiscard]] int species_index_of(const AnimalLevel& level, const Herd& herd);

@@ -5,8 +5,16 @@
 namespace biotope {
 namespace {
 
-/// Share of its stays that a species spends drinking: 7.5 % a visit, at most 30 % (two visits: 15 %; the 2021 authors take a fixed 20 %). Our choice.
+/// Share of its stays that a species spends drinking: 7.5 % a visit, at most 30 % (two visits: 15 %; the 2021 authors take a
+/// fixed 20 %). Our choice.
 double water_share(const AnimalTraits& animal) { return std::min(0.3, 0.075 * animal.water_visits); }
+
+/// Share of all stays that waypoints get together, at most. Our choice.
+constexpr double most_at_waypoints = 0.5;
+
+double waypoint_attraction(const ResourceNode& node) {
+  return node.kind == NodeKind::waypoint ? std::clamp(double(node.attraction), 0.0, 1.0) : 0.0;
+}
 
 /// What a node offers to a need: its foods, weighted by preference; kg per year.
 double offered(const ResourceNode& node, const FoodWeb::ResolvedNeed& need) {
@@ -29,7 +37,8 @@ int region_of_node(const AnimalLevel& level, int species_index, const ResourceNo
   return level.regions[species]->label(node.x, node.y);
 }
 
-std::vector<LevelTravel::Presence> presence_in_region(const FoodWeb& web, const AnimalLevel& level, int species_index, int region) {
+std::vector<LevelTravel::Presence> presence_in_region(const FoodWeb& web, const AnimalLevel& level, int species_index,
+                                                      int region) {
   const auto number = std::size_t(level.species[std::size_t(species_index)]);
   const AnimalTraits& animal = web.species[number].animal();
   const auto& nodes = level.graph->nodes;
@@ -38,7 +47,8 @@ std::vector<LevelTravel::Presence> presence_in_region(const FoodWeb& web, const 
     if (region_of_node(level, species_index, nodes[i]) == region) inside.push_back(int(i));
   }
   // A person's paint on the density says where in the region the herd would rather be.
-  const bool drawn = std::size_t(species_index) < level.attraction.size() && !level.attraction[std::size_t(species_index)].empty();
+  const bool drawn =
+      std::size_t(species_index) < level.attraction.size() && !level.attraction[std::size_t(species_index)].empty();
   const auto attraction = [&](int node) {
     return drawn ? double(level.attraction[std::size_t(species_index)][std::size_t(node)]) : 1.0;
   };
@@ -66,8 +76,14 @@ std::vector<LevelTravel::Presence> presence_in_region(const FoodWeb& web, const 
   double sum = 0;
   for (const double p : probability) sum += p;
   std::vector<LevelTravel::Presence> presence;
+  if (sum <= 0) return presence;
+  double waypoints = 0;
+  for (const int node : inside) waypoints += waypoint_attraction(nodes[std::size_t(node)]);
+  const double at_waypoints = std::min(most_at_waypoints, waypoints);
   for (std::size_t i = 0; i < inside.size(); ++i) {
-    if (probability[i] > 0) presence.push_back({inside[i], float(probability[i] / sum)});
+    const double drawn_by = waypoint_attraction(nodes[std::size_t(inside[i])]);
+    const double p = drawn_by > 0 ? drawn_by * at_waypoints / waypoints : probability[i] / sum * (1 - at_waypoints);
+    if (p > 0) presence.push_back({inside[i], float(p)});
   }
   return presence;
 }

@@ -8,19 +8,44 @@ namespace biotope {
 namespace {
 
 /// Eight neighbours, and the eight a knight's move away: ways bend in steps of about 22 degrees.
-constexpr std::array<PathCell, 16> directions{{{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1},
-                                               {2, 1}, {1, 2}, {-1, 2}, {-2, 1}, {-2, -1}, {-1, -2}, {1, -2}, {2, -1}}};
+constexpr std::array<PathCell, 16> directions{{{1, 0},
+                                               {1, 1},
+                                               {0, 1},
+                                               {-1, 1},
+                                               {-1, 0},
+                                               {-1, -1},
+                                               {0, -1},
+                                               {1, -1},
+                                               {2, 1},
+                                               {1, 2},
+                                               {-1, 2},
+                                               {-2, 1},
+                                               {-2, -1},
+                                               {-1, -2},
+                                               {1, -2},
+                                               {2, -1}}};
 constexpr float unreached = std::numeric_limits<float>::infinity();
-/// What is left of the way is guessed to cost as much a metre as ground that is easy but for tussocks, or nearly as much as the straight line does:
-/// close to what it does cost, so that the search looks at little beside its way, though it may miss a slightly cheaper one. Our choice.
+/// What is left of the way is guessed to cost as much a metre as ground that is easy but for tussocks, or nearly as much as the
+/// straight line does: close to what it does cost, so that the search looks at little beside its way, though it may miss a
+/// slightly cheaper one. Our choice.
 constexpr double easy_guess = 1.45;
 constexpr double straight_guess = 0.85;
 constexpr double highest_guess = 3;
+/// By what a tube holds of a cell.
+constexpr std::array<float, 4> open_factors{unreached, PlacedGround::factors[0], PlacedGround::factors[1],
+                                            PlacedGround::factors[2]};
+
+/// The cells of a tube.
+struct OpenCells {
+  Rect cells;
+  /// 0 where the ground is blocked or not in the tube, else 1 and what was placed there; rows of `cells`.
+  std::vector<std::uint8_t> open;
+};
 
 /// A* on the cells that lie a whole number of strides from the start, inside the tube around a coarse way.
 class TubeSearch {
  public:
-  TubeSearch(const FineGround& ground, const Tube& tube, PathCell from, PathCell to, int stride)
+  TubeSearch(const FineGround& ground, const OpenCells& tube, PathCell from, PathCell to, int stride)
       : ground_(ground), tube_(tube), stride_(stride), from_(from), to_(to) {
     const Rect& cells = tube.cells;
     // First lattice cell in the window that is a whole number of strides from the start.
@@ -31,7 +56,8 @@ class TubeSearch {
     came_.assign(best_.size(), 0xff);
     const auto point = [](PathCell c) { return PathPoint{float(c.x), float(c.y)}; };
     const double metres = std::hypot(double(to.x - from.x), double(to.y - from.y)) * ground.cell_size();
-    const double straight = std::min(highest_guess, straight_guess * ground.walk_along(point(from), point(to)) / std::max(metres, 1e-3));
+    const double straight =
+        std::min(highest_guess, straight_guess * ground.walk_along(point(from), point(to)) / std::max(metres, 1e-3));
     guess_ = float(std::max(easy_guess * double(ground.walk().easiest()), straight) * ground.cell_size());
     for (std::size_t d = 0; d < directions.size(); ++d) moves_[d] = move_along(directions[d]);
   }
@@ -96,7 +122,8 @@ class TubeSearch {
     return std::uint32_t((c.y - origin_.y) / stride_) * std::uint32_t(columns_) + std::uint32_t((c.x - origin_.x) / stride_);
   }
   [[nodiscard]] PathCell cell_of(std::uint32_t index) const {
-    return {origin_.x + int(index % std::uint32_t(columns_)) * stride_, origin_.y + int(index / std::uint32_t(columns_)) * stride_};
+    return {origin_.x + int(index % std::uint32_t(columns_)) * stride_,
+            origin_.y + int(index / std::uint32_t(columns_)) * stride_};
   }
   [[nodiscard]] std::size_t tube_index(PathCell c) const {
     return std::size_t(c.y - tube_.cells.y0) * std::size_t(tube_.cells.width()) + std::size_t(c.x - tube_.cells.x0);
@@ -135,10 +162,11 @@ class TubeSearch {
       const PathCell next{at.x + move.step.x, at.y + move.step.y};
       if (!tube_.cells.contains(next.x, next.y) || !open[move.over.front()]) continue;
       const auto next_index = std::uint32_t(std::int64_t(index) + move.index);
-      if (cost + move.least >= best_[next_index]) continue;
+      const float factor = open_factors[open[move.over.front()]];
+      if (cost + move.least * factor >= best_[next_index]) continue;
       if (!std::all_of(move.over.begin(), move.over.end(), [open](std::int32_t offset) { return open[offset] != 0; })) continue;
       const std::size_t cell = height.index(next.x, next.y);
-      float there = move.run * ground_.walk()((height[cell] - here) / move.run);
+      float there = factor * move.run * ground_.walk()((height[cell] - here) / move.run);
       if (ground_.wet(cell)) there *= wading_factor;
       if (cost + there >= best_[next_index]) continue;
       there *= unevenness(next, ground_.cell_size());
@@ -159,7 +187,7 @@ class TubeSearch {
   }
 
   const FineGround& ground_;
-  const Tube& tube_;
+  const OpenCells& tube_;
   int stride_;
   PathCell from_;
   PathCell to_;
@@ -175,16 +203,14 @@ class TubeSearch {
 
 }  // namespace
 
-Tube tube_around(const FineGround& ground, int block, std::span<const PathCell> over, PathCell from, PathCell to) {
+Tube tube_around(const FineGround& ground, std::span<const PathCell> over, PathCell from, PathCell to) {
   const Rect all = ground.height().rect();
+  const int block = ground.block();
   Rect blocks{from.x / block, from.y / block, from.x / block + 1, from.y / block + 1};
   std::vector<PathCell> marked{{from.x / block, from.y / block}, {to.x / block, to.y / block}};
   for (const PathCell& c : over) marked.push_back({c.x / block, c.y / block});
   for (const PathCell& c : marked) blocks = bounding(blocks, {c.x, c.y, c.x + 1, c.y + 1});
   blocks = intersection(grown(blocks, 1), {0, 0, (all.x1 + block - 1) / block, (all.y1 + block - 1) / block});
-  Tube tube;
-  tube.cells = intersection(all, {blocks.x0 * block, blocks.y0 * block, blocks.x1 * block, blocks.y1 * block});
-  tube.open.assign(std::size_t(tube.cells.width()) * std::size_t(tube.cells.height()), 0);
   Grid<std::uint8_t> inside(blocks.width(), blocks.height());
   for (const PathCell& c : marked) {
     const Rect near = intersection(blocks, {c.x - 1, c.y - 1, c.x + 2, c.y + 2});
@@ -192,14 +218,10 @@ Tube tube_around(const FineGround& ground, int block, std::span<const PathCell> 
       for (int x = near.x0; x < near.x1; ++x) inside(x - blocks.x0, y - blocks.y0) = 1;
     }
   }
-  for (int by = blocks.y0; by < blocks.y1; ++by) {
-    for (int bx = blocks.x0; bx < blocks.x1; ++bx) {
-      if (!inside(bx - blocks.x0, by - blocks.y0)) continue;
-      const Rect cells = intersection(all, {bx * block, by * block, (bx + 1) * block, (by + 1) * block});
-      for (int y = cells.y0; y < cells.y1; ++y) {
-        const std::size_t row = std::size_t(y - tube.cells.y0) * std::size_t(tube.cells.width());
-        ground.mark_passable(cells.x0, y, std::span(tube.open).subspan(row + std::size_t(cells.x0 - tube.cells.x0), std::size_t(cells.width())));
-      }
+  Tube tube{intersection(all, {blocks.x0 * block, blocks.y0 * block, blocks.x1 * block, blocks.y1 * block}), {}};
+  for (int y = blocks.y0; y < blocks.y1; ++y) {
+    for (int x = blocks.x0; x < blocks.x1; ++x) {
+      if (inside(x - blocks.x0, y - blocks.y0)) tube.blocks.push_back({x, y});
     }
   }
   return tube;
@@ -208,14 +230,21 @@ Tube tube_around(const FineGround& ground, int block, std::span<const PathCell> 
 std::vector<PathCell> fine_path(const FineGround& ground, const Tube& tube, PathCell from, PathCell to) {
   if (!ground.passable(from.x, from.y) || !ground.passable(to.x, to.y)) return {};
   if (from == to) return {from};
+  const auto width = std::size_t(tube.cells.width());
+  OpenCells cells{tube.cells, std::vector<std::uint8_t>(width * std::size_t(tube.cells.height()), 0)};
+  for (const PathCell& block : tube.blocks) {
+    const auto row = std::size_t(block.y * ground.block() - tube.cells.y0);
+    const auto column = std::size_t(block.x * ground.block() - tube.cells.x0);
+    ground.mark_block(block, cells.open.data() + row * width + column, width);
+  }
   std::vector<PathCell> path;
-  if (ground.stride() > 1) path = TubeSearch(ground, tube, from, to, ground.stride()).run();
-  if (path.empty()) path = TubeSearch(ground, tube, from, to, 1).run();
+  if (ground.stride() > 1) path = TubeSearch(ground, cells, from, to, ground.stride()).run();
+  if (path.empty()) path = TubeSearch(ground, cells, from, to, 1).run();
   return path;
 }
 
-std::vector<PathCell> fine_path(const FineGround& ground, int block, std::span<const PathCell> over, PathCell from, PathCell to) {
-  return fine_path(ground, tube_around(ground, block, over, from, to), from, to);
+std::vector<PathCell> fine_path(const FineGround& ground, std::span<const PathCell> over, PathCell from, PathCell to) {
+  return fine_path(ground, tube_around(ground, over, from, to), from, to);
 }
 
 }  // namespace biotope

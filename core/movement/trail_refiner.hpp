@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "core/movement/movement_cache.hpp"
@@ -18,11 +19,18 @@ struct RefinedRoute {
   std::vector<std::uint32_t> point_of_vertex;
 };
 
+/// The mean of each weight and those around it: weights change where animals leave a trail one by one, not all at a block's
+/// middle.
+[[nodiscard]] std::vector<float> blurred_weight(const std::vector<float>& weight);
+/// Length of a line, m.
+[[nodiscard]] double length_of(std::span<const PathPoint> points, double cell_size);
+
 /// Turns coarse routes into lines on the ground. Everything passed in must outlive it; the cache may be null.
 class RouteRefiner {
  public:
-  RouteRefiner(const Ground& ground, const std::vector<WalkJob>& jobs, const TrailGraph& trails, const std::vector<CoarseRoute>& routes,
-               MovementCache* cache);
+  /// The lines of the first routes are known: `pinned`.
+  RouteRefiner(const Ground& ground, const PlacedGround& placed, const std::vector<WalkJob>& jobs, const TrailGraph& trails,
+               const std::vector<CoarseRoute>& routes, std::vector<RefinedRoute> pinned, MovementCache* cache);
 
   /// Routes that others join come first; those of one rank do not need each other.
   [[nodiscard]] std::vector<RefinedRoute> run(const TaskContext& context);
@@ -47,21 +55,27 @@ class RouteRefiner {
   [[nodiscard]] FineGround ground_for(std::uint64_t users, int heaviest) const;
   [[nodiscard]] std::optional<PathPoint> joint(int joined, std::uint32_t vertex, const FineGround& fine) const;
   [[nodiscard]] std::size_t leg_end(const CoarseRoute& route, std::size_t first) const;
-  [[nodiscard]] std::vector<PathCell> refine_leg(std::span<const std::uint32_t> edges, std::span<const PathCell> over, PathCell from,
-                                                 PathCell to, std::vector<Leg>& legs) const;
-  [[nodiscard]] std::vector<PathCell> leg_on(const FineGround& fine, int heaviest, std::span<const PathCell> over, PathCell from, PathCell to,
-                                             std::vector<Leg>& legs) const;
-  [[nodiscard]] Draft draft(const CoarseRoute& route, std::optional<PathPoint> front, std::optional<PathPoint> back, std::vector<Leg>& legs) const;
+  [[nodiscard]] PathCell place_of(std::uint32_t vertex) const;
+  [[nodiscard]] std::vector<PathCell> refine_leg(std::span<const std::uint32_t> edges, std::span<const PathCell> over,
+                                                 PathCell from, PathCell to, std::vector<Leg>& legs) const;
+  [[nodiscard]] std::vector<PathCell> leg_on(const FineGround& fine, int heaviest, std::span<const PathCell> over, PathCell from,
+                                             PathCell to, std::vector<Leg>& legs) const;
+  [[nodiscard]] Draft draft(const CoarseRoute& route, std::optional<PathPoint> front, std::optional<PathPoint> back,
+                            std::vector<Leg>& legs) const;
   [[nodiscard]] RefinedRoute refine(const CoarseRoute& route, std::vector<Leg>& legs) const;
   [[nodiscard]] std::vector<std::uint32_t> points_of_vertices(const CoarseRoute& route, const Draft& draft,
                                                               const std::vector<PathPoint>& points) const;
 
   const Ground& ground_;
+  const PlacedGround& placed_;
   const std::vector<WalkJob>& jobs_;
   const TrailGraph& trails_;
   const std::vector<CoarseRoute>& routes_;
   MovementCache* cache_;
   std::vector<WalkCost> costs_;
+  /// Cell of a waypoint by vertex of the trail graph.
+  std::unordered_map<std::uint32_t, PathCell> waypoints_;
+  std::size_t pinned_;
   std::vector<RefinedRoute> refined_;
 };
 

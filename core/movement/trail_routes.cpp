@@ -24,7 +24,8 @@ std::vector<Walk> list_walks(std::span<const WalkedGraph> walked) {
   for (std::size_t g = 0; g < walked.size(); ++g) {
     const TravelGraph& graph = *walked[g].graph;
     const auto key = [&](std::uint32_t v) {
-      return std::uint64_t(graph.vertices[v].y) * std::uint64_t(graph.vertex_of_cell.width()) + std::uint64_t(graph.vertices[v].x);
+      return std::uint64_t(graph.vertices[v].y) * std::uint64_t(graph.vertex_of_cell.width()) +
+             std::uint64_t(graph.vertices[v].x);
     };
     for (std::uint32_t v = 0; v < graph.vertices.size(); ++v) {
       for (std::uint32_t slot = graph.first_edge[v]; slot < graph.first_edge[v + 1]; ++slot) {
@@ -67,8 +68,20 @@ void index_incident(TrailGraph& trails) {
 /// Takes routes out of a trail graph one after the other.
 class RouteExtractor {
  public:
-  explicit RouteExtractor(const TrailGraph& trails)
-      : trails_(trails), used_(trails.edges.size(), 0), owner_(trails.cells.size(), -1), visitor_(trails.cells.size(), -1) {}
+  RouteExtractor(const TrailGraph& trails, std::size_t pinned)
+      : trails_(trails),
+        used_(trails.edges.size(), 0),
+        owner_(trails.cells.size(), -1),
+        visitor_(trails.cells.size(), -1),
+        routes_(pinned) {
+    for (std::size_t e = 0; e < trails.edges.size(); ++e) {
+      const auto& edge = trails.edges[e];
+      if (edge.pinned < 0) continue;
+      used_[e] = 1;
+      covered_ += edge.weight * edge.length;
+      for (const std::uint32_t v : {edge.a, edge.b}) owner_[v] = owner_[v] < 0 ? edge.pinned : std::min(owner_[v], edge.pinned);
+    }
+  }
 
   std::vector<CoarseRoute> run(std::size_t most) {
     std::vector<std::uint32_t> order(trails_.edges.size());
@@ -77,11 +90,11 @@ class RouteExtractor {
                      [&](std::uint32_t p, std::uint32_t q) { return trails_.edges[p].weight > trails_.edges[q].weight; });
     double total = 0;
     for (const auto& edge : trails_.edges) total += edge.weight * edge.length;
-    double covered = 0;
+    const std::size_t pinned = routes_.size();
     for (const std::uint32_t seed : order) {
-      if (covered >= covered_share * total || routes_.size() >= most) break;
+      if (covered_ >= covered_share * total || routes_.size() - pinned >= most) break;
       if (used_[seed]) continue;
-      covered += take(seed);
+      covered_ += take(seed);
     }
     return std::move(routes_);
   }
@@ -123,7 +136,8 @@ class RouteExtractor {
         const std::uint32_t e = trails_.incident[i];
         const auto& edge = trails_.edges[e];
         const std::uint32_t next = edge.a == at ? edge.b : edge.a;
-        if (used_[e] || visitor_[next] == number || edge.weight < faint_extension * heaviest || turns_back(before, at, next)) continue;
+        if (used_[e] || visitor_[next] == number || edge.weight < faint_extension * heaviest || turns_back(before, at, next))
+          continue;
         used_[e] = 1;
         visitor_[next] = number;
         route.vertices.push_back(next);
@@ -148,6 +162,8 @@ class RouteExtractor {
   std::vector<int> owner_;
   std::vector<int> visitor_;
   std::vector<CoarseRoute> routes_;
+  /// Weight x length.
+  double covered_ = 0;
 };
 
 }  // namespace
@@ -166,9 +182,11 @@ TrailGraph merge_walks(std::span<const WalkedGraph> walked) {
   keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
   const auto width = std::uint64_t(walked.front().graph->vertex_of_cell.width());
   for (const std::uint64_t key : keys) trails.cells.push_back({int(key % width), int(key / width)});
-  const auto vertex = [&](std::uint64_t key) { return std::uint32_t(std::lower_bound(keys.begin(), keys.end(), key) - keys.begin()); };
+  const auto vertex = [&](std::uint64_t key) {
+    return std::uint32_t(std::lower_bound(keys.begin(), keys.end(), key) - keys.begin());
+  };
   for (std::size_t i = 0; i < walks.size();) {
-    TrailGraph::Edge edge{vertex(walks[i].a), vertex(walks[i].b), 0, 0, 0, walks[i].graph};
+    TrailGraph::Edge edge{vertex(walks[i].a), vertex(walks[i].b), 0, 0, 0, walks[i].graph, -1};
     const PathCell a = trails.cells[edge.a];
     const PathCell b = trails.cells[edge.b];
     edge.length = std::hypot(double(a.x - b.x), double(a.y - b.y));
@@ -189,6 +207,8 @@ TrailGraph merge_walks(std::span<const WalkedGraph> walked) {
   return trails;
 }
 
-std::vector<CoarseRoute> extract_routes(const TrailGraph& trails, std::size_t most) { return RouteExtractor(trails).run(most); }
+std::vector<CoarseRoute> extract_routes(const TrailGraph& trails, std::size_t most, std::size_t pinned) {
+  return RouteExtractor(trails, pinned).run(most);
+}
 
 }  // namespace biotope

@@ -27,6 +27,8 @@ struct TrailGraph {
     std::uint64_t users = 0;
     /// The one that walks most.
     int heaviest = 0;
+    /// Number of the pinned line it follows, -1 when it follows none.
+    int pinned = -1;
   };
   std::vector<PathCell> cells;
   std::vector<Edge> edges;
@@ -48,8 +50,10 @@ struct CoarseRoute {
   int rank = 0;
 };
 
-/// Routes from the most used segment outwards, each extended at both ends by the heaviest segment that is not in a route yet, until 99 % of
-/// weight x length is covered (as the 2021 authors do) or there are `most` routes.
-[[nodiscard]] std::vector<CoarseRoute> extract_routes(const TrailGraph& trails, std::size_t most);
+/// Routes from the most used segment outwards, each extended at both ends by the heaviest segment that is not in a route yet,
+/// until 99 % of weight x length is covered (as the 2021 authors do) or there are `most` routes. The first `pinned` routes stand
+/// for the pinned lines: they have no vertices and edges of their own, but others join them where they meet an edge that follows
+/// the line.
+[[nodiscard]] std::vector<CoarseRoute> extract_routes(const TrailGraph& trails, std::size_t most, std::size_t pinned);
 
 }  // namespace biotope

@@ -5,7 +5,8 @@
 namespace biotope {
 namespace {
 
-/// Rounds of rounding corners; each moves a point halfway to the middle of its neighbours. Our choice: blurs over two to three steps each side.
+/// Rounds of rounding corners; each moves a point halfway to the middle of its neighbours. Our choice: blurs over two to three
+/// steps each side.
 constexpr int rounds = 10;
 /// Points of the rounded path from one control point of the spline to the next.
 constexpr std::size_t spacing = 3;
@@ -18,7 +19,7 @@ void round_corners(const FineGround& ground, std::span<const std::uint8_t> fixed
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
       if (!fixed.empty() && fixed[i]) continue;
       const PathPoint moved = mix(points[i], mix(points[i - 1], points[i + 1], 0.5F), 0.5F);
-      if (ground.clear(points[i - 1], moved) && ground.clear(moved, points[i + 1])) points[i] = moved;
+      if (ground.allows(points[i - 1], moved) && ground.allows(moved, points[i + 1])) points[i] = moved;
     }
   }
 }
@@ -32,8 +33,8 @@ PathPoint catmull_rom(PathPoint a, PathPoint b, PathPoint c, PathPoint d, float 
 }
 
 /// Appends the span from control `i` to the next, by spline or, where that would leave passable ground, by the points themselves.
-void append_span(const FineGround& ground, const std::vector<PathPoint>& points, const std::vector<std::size_t>& controls, std::size_t i,
-                 std::vector<PathPoint>& out) {
+void append_span(const FineGround& ground, const std::vector<PathPoint>& points, const std::vector<std::size_t>& controls,
+                 std::size_t i, std::vector<PathPoint>& out) {
   const auto control = [&](std::size_t k) { return points[controls[std::min(k, controls.size() - 1)]]; };
   const PathPoint before = control(i == 0 ? 0 : i - 1);
   const std::size_t count = controls[i + 1] - controls[i];
@@ -43,7 +44,7 @@ void append_span(const FineGround& ground, const std::vector<PathPoint>& points,
   for (std::size_t k = 1; k <= count && clear; ++k) {
     const PathPoint next =
         k == count ? control(i + 1) : catmull_rom(before, control(i), control(i + 1), control(i + 2), float(k) / float(count));
-    clear = ground.clear(last, next);
+    clear = ground.allows(last, next);
     out.push_back(next);
     last = next;
   }

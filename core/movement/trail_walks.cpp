@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/random.hpp"
+#include "core/movement/plan_parts.hpp"
 #include "core/movement/walk_cost.hpp"
 
 namespace biotope {
@@ -13,7 +14,8 @@ constexpr double roughness = 0.2;
 /// Jobs that together make less than this share of all walks wear no trail: less than what routes leave out. Our choice.
 constexpr double faint_jobs = 0.005;
 
-/// How worn the ground between neighbouring blocks is, 0..1, whoever wore it: by block and direction (east, south, south-east, south-west).
+/// How worn the ground between neighbouring blocks is, 0..1, whoever wore it: by block and direction (east, south, south-east,
+/// south-west).
 class WornBlocks {
  public:
   explicit WornBlocks(const TravelGraph& graph)
@@ -47,8 +49,8 @@ class WornBlocks {
 };
 
 /// A graph's costs with a little roughness between places, and cheaper by as much as others have worn the ground.
-std::vector<float> rough_costs(const TravelGraph& graph, WornBlocks& worn) {
-  std::vector<float> cost = graph.cost;
+std::vector<float> rough_costs(const TravelGraph& graph, std::span<const float> own, WornBlocks& worn) {
+  std::vector<float> cost(own.begin(), own.end());
   const auto place = [&](std::uint32_t v) {
     return std::uint64_t(graph.vertices[v].y) * std::uint64_t(graph.vertex_of_cell.width()) + std::uint64_t(graph.vertices[v].x);
   };
@@ -70,10 +72,18 @@ std::vector<WalkJob> list_walk_jobs(const FoodWeb& web, std::span<const std::sha
   for (std::size_t level = 0; level < levels.size(); ++level) {
     const LevelTravel& travel = *movement[level].travel;
     for (std::size_t graph = 0; graph < travel.graphs.size(); ++graph) {
-      WalkJob job{travel.graphs[graph], nullptr, walkers_of_graph(web, levels, movement, level, graph), 0};
+      WalkJob job{
+          travel.graphs[graph], travel.cost(graph), nullptr, walkers_of_graph(web, levels, movement, level, graph), 0, {}};
       const auto species = std::find(travel.graph_of_species.begin(), travel.graph_of_species.end(), int(graph));
       job.region = &levels[level]->regions[std::size_t(species - travel.graph_of_species.begin())]->label;
       for (const Walkers& walkers : job.walkers) job.total += walkers.yearly;
+      const auto& nodes = levels[level]->graph->nodes;
+      for (std::size_t node = 0; node < nodes.size(); ++node) {
+        const std::int32_t vertex = travel.vertex_of_node[graph][node];
+        if (nodes[node].kind != NodeKind::waypoint || vertex < 0) continue;
+        const auto cell = standing_cell(*job.graph, nodes[node]);
+        if (cell) job.waypoints.emplace_back(std::uint32_t(vertex), *cell);
+      }
       if (job.total > 0) jobs.push_back(std::move(job));
     }
   }
@@ -92,7 +102,7 @@ std::vector<JobWalks> walk_all(const std::vector<WalkJob>& jobs, const TaskConte
   for (const WalkJob& job : jobs) {
     if (context.stopped()) return walks;
     const TravelGraph& graph = *job.graph;
-    std::vector<float> cost = rough_costs(graph, worn);
+    std::vector<float> cost = rough_costs(graph, job.cost, worn);
     if (left >= faint) {
       GatheredWalks gathered = gather_walks(graph, std::move(cost), job.walkers);
       walks.push_back({std::move(gathered.weight), std::move(gathered.worn_cost)});

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/movement/fine_path.hpp"
 #include "core/movement/walkers.hpp"
 
 namespace biotope {
@@ -11,9 +12,13 @@ namespace biotope {
 /// One travel graph, who walks on it and where they may be.
 struct WalkJob {
   std::shared_ptr<const TravelGraph> graph;
+  /// Of its directed edges (LevelTravel::cost).
+  std::span<const float> cost;
   const Grid<std::int32_t>* region = nullptr;
   std::vector<Walkers> walkers;
   double total = 0;
+  /// Vertices where a waypoint is, with its cell: trails over such a vertex lead to the waypoint itself.
+  std::vector<std::pair<std::uint32_t, PathCell>> waypoints;
 };
 
 /// Graphs of all levels that somebody walks on, most weight first; at most 64.
@@ -26,8 +31,8 @@ struct JobWalks {
   std::vector<float> worn_cost;
 };
 
-/// Walks on all graphs, the heaviest first: what they have worn draws the others. Jobs too light to leave a trail of their own do not wear any, but
-/// are drawn to what others wore. Fewer than jobs when stopped.
+/// Walks on all graphs, the heaviest first: what they have worn draws the others. Jobs too light to leave a trail of their own do
+/// not wear any, but are drawn to what others wore. Fewer than jobs when stopped.
 [[nodiscard]] std::vector<JobWalks> walk_all(const std::vector<WalkJob>& jobs, const TaskContext& context);
 
 }  // namespace biotope

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
+#include "core/movement/pinned_routes.hpp"
 #include "core/movement/trail_raster.hpp"
-#include "core/movement/trail_refiner.hpp"
-#include "core/movement/trail_ways.hpp"
 
 namespace biotope {
 namespace {
@@ -12,16 +11,32 @@ namespace {
 /// Our choice.
 constexpr std::size_t most_routes = 400;
 
-/// Notes which points of a route lead along each edge of the coarse one.
-void add_stretches(const TrailGraph& trails, const CoarseRoute& coarse, const RefinedRoute& refined, std::size_t number, int width,
-                   TrailWays& ways) {
-  const auto cell = [&](std::uint32_t v) { return std::uint32_t(trails.cells[v].y) * std::uint32_t(width) + std::uint32_t(trails.cells[v].x); };
-  for (std::size_t i = 0; i + 1 < refined.point_of_vertex.size(); ++i) {
-    const std::uint32_t a = cell(coarse.vertices[i]);
-    const std::uint32_t b = cell(coarse.vertices[i + 1]);
-    TrailWays::Stretch stretch{std::uint32_t(number), refined.point_of_vertex[i], refined.point_of_vertex[i + 1]};
-    if (b < a) std::swap(stretch.first, stretch.last);
-    ways.stretches.emplace(TrailWays::key(std::min(a, b), std::max(a, b)), stretch);
+/// Appends what is allowed of a refined route, and notes which of its points lead along each edge of the coarse one.
+void add_route(const PlacedGround& placed, const TrailGraph& trails, const CoarseRoute& coarse, const RefinedRoute& refined,
+               double cell_size, int width, TrailNetwork& network, TrailWays& ways) {
+  const auto cell = [&](std::uint32_t v) {
+    return std::uint32_t(trails.cells[v].y) * std::uint32_t(width) + std::uint32_t(trails.cells[v].x);
+  };
+  const auto& points = refined.line.points;
+  const auto& weight = refined.line.weight;
+  const auto& at = refined.point_of_vertex;
+  for (const auto& [first, last] : allowed_pieces(placed, points)) {
+    TrailRoute piece = refined.line;
+    if (last - first < points.size()) {
+      piece.points.assign(points.begin() + std::ptrdiff_t(first), points.begin() + std::ptrdiff_t(last));
+      piece.weight.assign(weight.begin() + std::ptrdiff_t(first), weight.begin() + std::ptrdiff_t(last));
+      piece.length = length_of(piece.points, cell_size);
+    }
+    for (std::size_t i = 0; i + 1 < at.size(); ++i) {
+      if (at[i] < first || at[i + 1] >= last) continue;
+      const std::uint32_t a = cell(coarse.vertices[i]);
+      const std::uint32_t b = cell(coarse.vertices[i + 1]);
+      TrailWays::Stretch stretch{std::uint32_t(network.routes.size()), at[i] - std::uint32_t(first),
+                                 at[i + 1] - std::uint32_t(first)};
+      if (b < a) std::swap(stretch.first, stretch.last);
+      ways.stretches.emplace(TrailWays::key(std::min(a, b), std::max(a, b)), stretch);
+    }
+    network.routes.push_back(std::move(piece));
   }
 }
 
@@ -40,9 +55,15 @@ Result<TrailNetwork> compute_trails(const FoodWeb& web, std::span<const std::sha
     walked.push_back({jobs[i].graph.get(), std::move(walks[i].weight)});
     ways->graphs.push_back({jobs[i].graph, std::move(walks[i].worn_cost)});
   }
-  const TrailGraph trails = merge_walks(walked);
-  const std::vector<CoarseRoute> coarse = extract_routes(trails, most_routes);
-  RouteRefiner refiner(ground, jobs, trails, coarse, cache);
+  const double cell_size = ground.terrain->cell_size;
+  const int width = ground.terrain->height.width();
+  const PlacedGround placed(ground);
+  TrailGraph trails = merge_walks(walked);
+  ways->stretches = pinned_edges(jobs, placed);
+  mark_pinned(ways->stretches, width, trails);
+  const std::vector<CoarseRoute> coarse = extract_routes(trails, most_routes, placed.lines().size());
+  RouteRefiner refiner(ground, placed, jobs, trails, coarse, pinned_routes(placed, ways->stretches, trails, width, cell_size),
+                       cache);
   std::vector<RefinedRoute> refined = refiner.run(context);
   if (context.stopped()) return fail("stopped");
   context.report("trails", 0.9);
@@ -50,9 +71,12 @@ Result<TrailNetwork> compute_trails(const FoodWeb& web, std::span<const std::sha
   std::vector<float> wade_depth;
   for (std::size_t i = 0; i < refined.size(); ++i) {
     if (refined[i].line.points.size() < 2) continue;
-    add_stretches(trails, coarse[i], refined[i], network.routes.size(), ground.terrain->height.width(), *ways);
-    network.routes.push_back(std::move(refined[i].line));
-    wade_depth.push_back(refiner.wade_depth(coarse[i]));
+    if (refined[i].line.pinned >= 0) {
+      network.routes.push_back(std::move(refined[i].line));
+    } else {
+      add_route(placed, trails, coarse[i], refined[i], cell_size, width, network, *ways);
+    }
+    wade_depth.resize(network.routes.size(), refiner.wade_depth(coarse[i]));
   }
   draw_trails(ground, wade_depth, network);
   network.ways = std::move(ways);

@@ -13,8 +13,8 @@ namespace biotope {
 /// Walking speed (m/s) on a step of slope S = rise / run: v exp(-k (|S + 0.05| - 0.05)); 0 beyond the limit.
 [[nodiscard]] float walking_speed(float flat_speed, float slope, float slope_sensitivity, float max_slope);
 
-/// A coarse directed graph whose vertices are the connected pieces of passable ground inside square blocks of fine cells, so that it
-/// connects exactly what the fine grid connects. Edges carry metres of flat walking (time x speed), one value each way.
+/// A coarse directed graph whose vertices are the connected pieces of passable ground inside square blocks of fine cells, so that
+/// it connects exactly what the fine grid connects. Edges carry metres of flat walking (time x speed), one value each way.
 struct TravelGraph {
   Mobility mobility;
   int block = 1;    ///< side of a block, cells
@@ -37,10 +37,12 @@ struct TravelGraph {
   float longest_cost = 0;
   /// Vertex of each cell, -1 where blocked.
   Grid<std::int32_t> vertex_of_cell;
+  /// By block, row by row: 0 where all its cells are passable, else a hash of which are.
+  std::vector<std::uint64_t> open_cells;
 };
 
-/// Side of a block (cells) that suits a landscape: about 80 blocks along the longer side, at least one cell each. Our choice: fine enough for
-/// trails to be told apart, coarse enough that a search from every resource takes less than a millisecond.
+/// Side of a block (cells) that suits a landscape: about 80 blocks along the longer side, at least one cell each. Our choice:
+/// fine enough for trails to be told apart, coarse enough that a search from every resource takes less than a millisecond.
 [[nodiscard]] int travel_block(int width, int height);
 
 /// Cells an animal goes in one step of a path: about 4 m, at least one cell and at most four. Our choice.

@@ -12,10 +12,14 @@ constexpr float unreached = std::numeric_limits<float>::infinity();
 TravelSearch::TravelSearch(const TravelGraph& graph, std::span<const float> cost)
     : graph_(graph), edge_cost_(cost), vertices_(graph.vertices.size()) {
   assert(cost.size() == graph.cost.size());
-  const float longest = std::max(1.0F, graph.longest_cost * highest_cost_factor);
+  const float longest_own = std::max(1.0F, graph.longest_cost * highest_cost_factor);
   // Half a mean edge a bucket; enough buckets for the longest edge, so that a circle of them never overlaps.
-  width_ = std::max({0.5F * graph.mean_cost, longest / 4096, 1e-3F});
+  width_ = std::max({0.5F * graph.mean_cost, longest_own / 4096, 1e-3F});
   per_width_ = 1 / width_;
+  // The bits of numbers that are not negative are in their order, and faster to compare.
+  std::uint32_t highest = 0;
+  for (const float one : cost) highest = std::max(highest, std::bit_cast<std::uint32_t>(one));
+  const float longest = std::max(longest_own, std::bit_cast<float>(highest) * highest_cost_factor);
   buckets_.resize(std::bit_ceil(std::size_t(longest / width_) + 3));
   bucket_mask_ = std::uint32_t(buckets_.size() - 1);
 }

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/base/parallel.hpp"
+#include "core/base/random.hpp"
 #include "core/movement/travel.hpp"
 #include "core/movement/walk_cost.hpp"
 
@@ -51,41 +52,63 @@ TravelGraph::Vertex representative(const std::vector<std::array<int, 2>>& cells,
   return best;
 }
 
-/// Numbers the 4-connected pieces inside a block by their first cell, from 0, in `out`.
-std::vector<TravelGraph::Vertex> label_block(const Label& label, const Rect& block, Label& out) {
+/// The 4-connected pieces inside a block, numbered by their first cell.
+struct BlockPieces {
   std::vector<TravelGraph::Vertex> vertices;
+  /// Piece of each cell of the block, row by row, -1 where blocked; empty when all cells are in one piece or none is in any.
+  std::vector<std::int32_t> piece_of_cell;
+};
+
+/// A hash of which cells of a block are passable; 0 where all are, else never 0.
+std::uint64_t hash_of_open(const BlockPieces& pieces) {
+  if (pieces.piece_of_cell.empty()) return pieces.vertices.empty() ? 1 : 0;
+  std::uint64_t hash = 1;
+  std::uint64_t bits = 0;
+  for (std::size_t i = 0; i < pieces.piece_of_cell.size(); ++i) {
+    bits = (bits << 1) | std::uint64_t(pieces.piece_of_cell[i] >= 0);
+    if (i % 64 == 63) hash = mix_bits(hash ^ bits);
+  }
+  return mix_bits(hash ^ bits) | 1;
+}
+
+BlockPieces pieces_of_block(const Label& label, const Rect& block) {
+  BlockPieces result;
   if (all_passable(label, block)) {
-    for (int y = block.y0; y < block.y1; ++y) std::fill_n(out.row(y).begin() + block.x0, block.width(), 0);
     const int x = block.x0 + block.width() / 2;
     const int y = block.y0 + block.height() / 2;
-    vertices.push_back({x, y, label(x, y)});
-    return vertices;
+    result.vertices.push_back({x, y, label(x, y)});
+    return result;
   }
+  std::vector<std::int32_t> number(std::size_t(block.width()) * std::size_t(block.height()), -1);
+  const auto number_at = [&](int x, int y) -> std::int32_t& {
+    return number[std::size_t(y - block.y0) * std::size_t(block.width()) + std::size_t(x - block.x0)];
+  };
   std::vector<std::array<int, 2>> piece;
   for (int y = block.y0; y < block.y1; ++y) {
     for (int x = block.x0; x < block.x1; ++x) {
-      if (label(x, y) < 0 || out(x, y) >= 0) continue;
-      const auto number = std::int32_t(vertices.size());
+      if (label(x, y) < 0 || number_at(x, y) >= 0) continue;
+      const auto own = std::int32_t(result.vertices.size());
       piece.assign(1, {x, y});
-      out(x, y) = number;
+      number_at(x, y) = own;
       for (std::size_t i = 0; i < piece.size(); ++i) {
         const auto [px, py] = piece[i];
         for (const auto& [dx, dy] : {std::array{1, 0}, std::array{0, 1}, std::array{-1, 0}, std::array{0, -1}}) {
           const int nx = px + dx;
           const int ny = py + dy;
-          if (!block.contains(nx, ny) || label(nx, ny) < 0 || out(nx, ny) >= 0) continue;
-          out(nx, ny) = number;
+          if (!block.contains(nx, ny) || label(nx, ny) < 0 || number_at(nx, ny) >= 0) continue;
+          number_at(nx, ny) = own;
           piece.push_back({nx, ny});
         }
       }
-      vertices.push_back(representative(piece, label(x, y)));
+      result.vertices.push_back(representative(piece, label(x, y)));
     }
   }
-  return vertices;
+  if (!result.vertices.empty()) result.piece_of_cell = std::move(number);
+  return result;
 }
 
-/// Cost of walking the straight line between two cells on the fine ground, both ways. What the line meets that cannot be walked counts as a
-/// detour: the caller knows that the fine cells connect.
+/// Cost of walking the straight line between two cells on the fine ground, both ways. What the line meets that cannot be walked
+/// counts as a detour: the caller knows that the fine cells connect.
 Pair straight_walk(const Ground& ground, const Label& label, const WalkCost& walk, int stride, const TravelGraph::Vertex& a,
                    const TravelGraph::Vertex& b) {
   const Grid<float>& height = ground.terrain->height;
@@ -143,33 +166,44 @@ class Builder {
  private:
   [[nodiscard]] std::size_t blocks() const { return std::size_t(graph_.columns) * std::size_t(graph_.rows); }
   [[nodiscard]] Rect block_rect(int column, int row) const {
-    return intersection(label_.rect(), {column * graph_.block, row * graph_.block, (column + 1) * graph_.block, (row + 1) * graph_.block});
+    return intersection(label_.rect(),
+                        {column * graph_.block, row * graph_.block, (column + 1) * graph_.block, (row + 1) * graph_.block});
   }
 
   void number_vertices() {
-    Label& cells = graph_.vertex_of_cell;
-    cells = Label(label_.width(), label_.height(), -1);
-    std::vector<std::vector<TravelGraph::Vertex>> found(blocks());
+    std::vector<BlockPieces> found(blocks());
+    graph_.open_cells.assign(blocks(), 0);
     const auto of_row = [&](int row, const auto& body) {
       for (int column = 0; column < graph_.columns; ++column) {
         body(block_rect(column, row), std::size_t(row) * std::size_t(graph_.columns) + std::size_t(column));
       }
     };
     parallel_rows(0, graph_.rows, [&](int row) {
-      of_row(row, [&](const Rect& block, std::size_t i) { found[i] = label_block(label_, block, cells); });
+      of_row(row, [&](const Rect& block, std::size_t i) {
+        found[i] = pieces_of_block(label_, block);
+        graph_.open_cells[i] = hash_of_open(found[i]);
+      });
     });
     std::vector<std::int32_t> first(blocks());
     for (std::size_t i = 0; i < found.size(); ++i) {
       first[i] = std::int32_t(graph_.vertices.size());
-      graph_.vertices.insert(graph_.vertices.end(), found[i].begin(), found[i].end());
+      graph_.vertices.insert(graph_.vertices.end(), found[i].vertices.begin(), found[i].vertices.end());
     }
+    // Vertices are written once: the map is large, and a further pass over it costs more than the search for pieces.
+    Label& cells = graph_.vertex_of_cell;
+    cells = Label(label_.width(), label_.height(), -1);
     parallel_rows(0, graph_.rows, [&](int row) {
       of_row(row, [&](const Rect& block, std::size_t i) {
-        if (found[i].empty()) return;
+        if (found[i].vertices.empty()) return;
+        const std::vector<std::int32_t>& piece_of_cell = found[i].piece_of_cell;
         for (int y = block.y0; y < block.y1; ++y) {
-          for (std::int32_t& vertex : cells.row(y).subspan(std::size_t(block.x0), std::size_t(block.width()))) {
-            if (vertex >= 0) vertex += first[i];
+          const auto out = cells.row(y).subspan(std::size_t(block.x0), std::size_t(block.width()));
+          if (piece_of_cell.empty()) {
+            std::fill(out.begin(), out.end(), first[i]);
+            continue;
           }
+          const std::int32_t* piece = piece_of_cell.data() + std::size_t(y - block.y0) * out.size();
+          for (std::size_t x = 0; x < out.size(); ++x) out[x] = piece[x] >= 0 ? piece[x] + first[i] : -1;
         }
       });
     });

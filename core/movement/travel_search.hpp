@@ -9,24 +9,27 @@
 
 namespace biotope {
 
-/// Costs that replace a graph's own are at most this many times those.
+/// Costs that replace a graph's own are at most this many times those, or than the highest that a search was made with.
 inline constexpr float highest_cost_factor = 1.25F;
 
-/// Repeated one-to-many searches on one graph that reuse their memory. A circular bucket queue; vertices of the bucket at hand are relaxed until none
-/// improves, so costs are exact; of equally good parents the one with the smaller number is kept.
+/// Repeated one-to-many searches on one graph that reuse their memory. A circular bucket queue; vertices of the bucket at hand
+/// are relaxed until none improves, so costs are exact; of equally good parents the one with the smaller number is kept.
 class TravelSearch {
  public:
-  /// `cost` replaces the graph's own costs (one a directed edge, at most highest_cost_factor times the own one); both must outlive the search, but
-  /// may change between runs.
+  /// `cost` replaces the graph's own costs (one a directed edge); both must outlive the search, but may change between runs,
+  /// within highest_cost_factor of the graph's or this cost.
   TravelSearch(const TravelGraph& graph, std::span<const float> cost);
 
-  /// Searches from `source`. When `counts` is given (a number a vertex), stops once vertices with `wanted` counts in sum are settled.
+  /// Searches from `source`. When `counts` is given (a number a vertex), stops once vertices with `wanted` counts in sum are
+  /// settled.
   void run(std::uint32_t source, std::span<const std::uint16_t> counts = {}, std::uint32_t wanted = 0);
 
   /// Cost of a vertex, infinity where it was not settled or cannot be reached.
   [[nodiscard]] float cost(std::uint32_t vertex) const {
     const float best = vertices_[vertex].best;
-    return complete_ || (best < std::numeric_limits<float>::max() && bucket_of(best) < current_) ? best : std::numeric_limits<float>::infinity();
+    return complete_ || (best < std::numeric_limits<float>::max() && bucket_of(best) < current_)
+               ? best
+               : std::numeric_limits<float>::infinity();
   }
   [[nodiscard]] std::int32_t parent(std::uint32_t vertex) const { return vertices_[vertex].parent; }
   /// The directed edge from its parent to a vertex.

@@ -11,6 +11,7 @@
 #include "core/document/document.hpp"
 #include "core/ecosystem/animal_level.hpp"
 #include "core/ecosystem/plant_competition.hpp"
+#include "core/ecosystem/plant_shortage.hpp"
 #include "core/movement/daily_plan.hpp"
 #include "core/movement/trails.hpp"
 #include "core/species/species_library.hpp"
@@ -19,8 +20,8 @@
 
 namespace biotope {
 
-/// Everything that follows from a Document: immutable, made by the pipeline, only read by render, ui and exchange. Parts that did not change
-/// are the same pointers as in the snapshot before. Null members are not computed yet.
+/// Everything that follows from a Document: immutable, made by the pipeline, only read by render, ui and exchange. Parts that did
+/// not change are the same pointers as in the snapshot before. Null members are not computed yet.
 struct MapsSnapshot {
   /// Counts published snapshots, from 1.
   std::uint64_t revision = 0;
@@ -33,6 +34,11 @@ struct MapsSnapshot {
 
   Document document;
   std::shared_ptr<const FoodWeb> web;
+  /// The document's terrain with what was painted and drawn on it; the document's own pointer where that is nothing.
+  std::shared_ptr<const Terrain> land;
+  /// Painted obstacles and passages, and what a person placed for animals.
+  std::shared_ptr<const PaintLayer> passage;
+  std::shared_ptr<const Places> places;
   std::shared_ptr<const Derivatives> derivatives;
   std::shared_ptr<const Hydrology> hydrology;
   std::shared_ptr<const EnvironmentMaps> environment;
@@ -49,20 +55,25 @@ struct MapsSnapshot {
   std::shared_ptr<const TrailNetwork> trails;
   std::shared_ptr<const std::vector<DailyPlan>> plans;
 
+  /// Where plants were painted that cannot live there; of complete snapshots.
+  std::shared_ptr<const std::vector<PlantShortage>> plant_shortages;
   std::vector<std::string> warnings;
   /// Milliseconds by stage of the run that made this snapshot.
   std::vector<std::pair<std::string, double>> timings;
 
-  [[nodiscard]] const Terrain& terrain() const { return *document.terrain; }
-  /// Paint over a map, or null.
-  [[nodiscard]] std::shared_ptr<const PaintLayer> paint(const LayerId& layer) const {
-    const auto found = document.layers.find(layer);
-    return found == document.layers.end() ? nullptr : found->second;
+  /// The ground everything was computed on.
+  [[nodiscard]] const std::shared_ptr<const Terrain>& surface() const { return land ? land : document.terrain; }
+  [[nodiscard]] const Terrain& terrain() const { return *surface(); }
+  /// Paint over a map as it counts, or null.
+  [[nodiscard]] std::shared_ptr<const PaintLayer> paint(const LayerId& layer) const { return active_paint(document, layer); }
+  /// Growth of a species (number in the web) lost to an external event, or null.
+  [[nodiscard]] std::shared_ptr<const PaintLayer> loss(int species) const {
+    return web ? paint({LayerKind::loss, web->species[std::size_t(species)].name}) : nullptr;
   }
   /// What plants feel: environment with paint.
   [[nodiscard]] PlantEnvironment plant_environment() const;
   /// Ground as animals meet it.
-  [[nodiscard]] Ground ground() const { return {document.terrain, derivatives, hydrology, tree_cover}; }
+  [[nodiscard]] Ground ground() const { return {surface(), derivatives, hydrology, tree_cover, passage, places}; }
 };
 
 }  // namespace biotope

@@ -26,12 +26,13 @@ void compete_again(std::vector<CoverMap>& maps, const FoodWeb& web, const PlantE
   }
 }
 
-std::vector<std::size_t> repainted_tiles(const PlantStage& stage, const PlantEnvironment& environment,
-                                         std::size_t tile_count) {
+std::vector<std::size_t> repainted_tiles(const PlantStage& stage, const PlantEnvironment& environment, std::size_t tile_count) {
   std::vector<std::size_t> tiles;
   for (std::size_t r = 0; r < monthly_resources; ++r) {
     merge_tiles(tiles, differing_tiles(stage.paint[r].get(), environment.paint[r].get(), tile_count));
   }
+  merge_tiles(tiles, differing_tiles(stage.soil.texture.get(), environment.soil.texture.get(), tile_count));
+  merge_tiles(tiles, differing_tiles(stage.soil.geology.get(), environment.soil.geology.get(), tile_count));
   return tiles;
 }
 
@@ -52,7 +53,7 @@ Status update_plants(PlantStage& stage, const FoodWeb& web, const PlantEnvironme
                      const std::vector<double>& desired, const TaskContext& context) {
   const bool same_world = !stage.covers.empty() && stage.environment == environment.maps && stage.desired == desired &&
                           stage.covers.size() == web.levels.front().size();
-  if (same_world && stage.paint == environment.paint) return {};
+  if (same_world && stage.paint == environment.paint && stage.soil == environment.soil) return {};
   if (!same_world || !desired.empty()) {
     stage.environment = nullptr;
     if (Status done = compute_all_plants(stage, web, environment, desired, context); !done) return done;
@@ -69,6 +70,7 @@ Status update_plants(PlantStage& stage, const FoodWeb& web, const PlantEnvironme
   stage.environment = environment.maps;
   stage.desired = desired;
   stage.paint = environment.paint;
+  stage.soil = environment.soil;
   return {};
 }
 
@@ -96,7 +98,8 @@ void update_painted_cover(PaintedCover& stage, const std::shared_ptr<const Cover
   }
   const bool fresh = !stage.cover || stage.cover->tile_count() != computed->tile_count();
   CoverMap cover = fresh ? *computed : *stage.cover;
-  std::vector<std::size_t> tiles = differing_tiles(fresh ? nullptr : stage.computed.get(), computed.get(), computed->tile_count());
+  std::vector<std::size_t> tiles =
+      differing_tiles(fresh ? nullptr : stage.computed.get(), computed.get(), computed->tile_count());
   merge_tiles(tiles, differing_tiles(fresh ? nullptr : stage.paint.get(), paint.get(), computed->tile_count()));
   bool changed = fresh;
   for (const std::size_t i : tiles) {
@@ -112,36 +115,62 @@ void update_painted_cover(PaintedCover& stage, const std::shared_ptr<const Cover
 
 namespace {
 
-void sum_tile(const std::vector<std::shared_ptr<const CoverMap>>& trees, const Rect& rect, std::size_t index, Grid<Cover>& out) {
-  for (int y = rect.y0; y < rect.y1; ++y) {
-    auto row = out.row(y);
-    std::fill(row.begin() + rect.x0, row.begin() + rect.x1, Cover(0));
-    for (const auto& tree : trees) {
-      const auto& tile = tree->tile(index);
-      if (!tile) continue;
-      const Cover* cells = tile->data() + CoverMap::offset(rect.x0, y);
-      for (int x = rect.x0; x < rect.x1; ++x) {
-        row[std::size_t(x)] = Cover(std::min(full_cover, int(row[std::size_t(x)]) + int(cells[x - rect.x0])));
+/// Sums the trees of a tile into `out`, row by row of the tile.
+void sum_tile(const std::vector<std::shared_ptr<const CoverMap>>& trees, const Rect& rect, std::size_t index,
+              CoverMap::Tile& out) {
+  out.fill(0);
+  for (const auto& tree : trees) {
+    const auto& tile = tree->tile(index);
+    if (!tile) continue;
+    for (int y = rect.y0; y < rect.y1; ++y) {
+      const std::size_t first = CoverMap::offset(rect.x0, y);
+      for (std::size_t i = first; i < first + std::size_t(rect.width()); ++i) {
+        out[i] = Cover(std::min(full_cover, int(out[i]) + int((*tile)[i])));
       }
     }
   }
 }
 
+/// Whether a tile holds other values than the grid below it.
+bool differs(const CoverMap::Tile& tile, const Rect& rect, const Grid<Cover>& grid) {
+  for (int y = rect.y0; y < rect.y1; ++y) {
+    const Cover* row = tile.data() + CoverMap::offset(rect.x0, y);
+    if (!std::equal(row, row + rect.width(), grid.row(y).begin() + rect.x0)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void update_tree_cover(TreeCoverStage& stage, std::vector<std::shared_ptr<const CoverMap>> trees, int width, int height) {
-  const bool fits = stage.cover && stage.cover->width() == width && stage.cover->height() == height &&
-                    stage.trees.size() == trees.size();
+  const bool fits =
+      stage.cover && stage.cover->width() == width && stage.cover->height() == height && stage.trees.size() == trees.size();
   if (fits && stage.trees == trees) return;
-  auto sum = fits ? std::make_shared<Grid<Cover>>(*stage.cover) : std::make_shared<Grid<Cover>>(width, height);
   const TiledMap<Cover> layout(width, height);
   std::vector<std::size_t> tiles;
   for (std::size_t i = 0; i < trees.size(); ++i) {
     merge_tiles(tiles, differing_tiles(fits ? stage.trees[i].get() : nullptr, trees[i].get(), layout.tile_count()));
   }
-  parallel_each(tiles.size(), [&](std::size_t i) { sum_tile(trees, layout.tile_rect(tiles[i]), tiles[i], *sum); });
-  if (!fits || !(*sum == *stage.cover)) stage.cover = std::move(sum);
+  const Grid<Cover> blank = fits ? Grid<Cover>() : Grid<Cover>(width, height);
+  const Grid<Cover>& before = fits ? *stage.cover : blank;
+  std::vector<CoverMap::Tile> sums(tiles.size());
+  std::vector<char> changed(tiles.size());
+  parallel_each(tiles.size(), [&](std::size_t i) {
+    const Rect rect = layout.tile_rect(tiles[i]);
+    sum_tile(trees, rect, tiles[i], sums[i]);
+    changed[i] = differs(sums[i], rect, before);
+  });
   stage.trees = std::move(trees);
+  if (fits && std::find(changed.begin(), changed.end(), 1) == changed.end()) return;
+  auto cover = std::make_shared<Grid<Cover>>(before);
+  parallel_each(tiles.size(), [&](std::size_t i) {
+    if (!changed[i]) return;
+    const Rect rect = layout.tile_rect(tiles[i]);
+    for (int y = rect.y0; y < rect.y1; ++y) {
+      std::copy_n(sums[i].data() + CoverMap::offset(rect.x0, y), rect.width(), cover->row(y).begin() + rect.x0);
+    }
+  });
+  stage.cover = std::move(cover);
 }
 
 }  // namespace biotope

@@ -5,6 +5,7 @@
 
 #include "core/pipeline/solve_stages.hpp"
 #include "core/pipeline/stage_clock.hpp"
+#include "core/terrain/shaping.hpp"
 
 namespace biotope {
 
@@ -42,9 +43,12 @@ class Run {
  private:
   using Step = Status (Run::*)();
   static std::vector<std::pair<std::string, Step>> steps() {
-    return {{"species", &Run::species},         {"slopes", &Run::slopes},   {"water", &Run::water},
-            {"environment", &Run::environment}, {"plants", &Run::plants},   {"animals", &Run::animals},
-            {"travel", &Run::travel},           {"trails", &Run::trails},   {"daily plans", &Run::daily_plans}};
+    return {{"species", &Run::species},         {"ground", &Run::ground},
+            {"slopes", &Run::slopes},           {"water", &Run::water},
+            {"environment", &Run::environment}, {"plants", &Run::plants},
+            {"animals", &Run::animals},         {"travel", &Run::travel},
+            {"trails", &Run::trails},           {"daily plans", &Run::daily_plans},
+            {"warnings", &Run::overpainted}};
   }
 
   void publish_partial() {
@@ -60,6 +64,7 @@ class Run {
   }
 
   Status species();
+  Status ground();
   Status slopes();
   Status water();
   Status environment();
@@ -69,14 +74,19 @@ class Run {
   Status travel();
   Status trails();
   Status daily_plans();
+  Status overpainted();
 
   [[nodiscard]] std::vector<double> desired(int level) const {
     const auto use = document_.use_proportions.find(level);
     if (use != document_.use_proportions.end() && !use->second) return {};
     return desired_proportions(*maps_->web, level, document_.climate.name);
   }
+  /// What every animal reads of the ground: where it can be.
+  [[nodiscard]] InputPointers ground_pointers() const {
+    return {biology_, maps_->land, maps_->derivatives, maps_->hydrology, maps_->tree_cover, maps_->passage, stages_.opened};
+  }
   [[nodiscard]] InputPointers level_pointers() const {
-    InputPointers inputs{biology_, document_.terrain, maps_->derivatives, maps_->hydrology, maps_->tree_cover};
+    InputPointers inputs = ground_pointers();
     inputs.insert(inputs.end(), maps_->animals.begin(), maps_->animals.end());
     return inputs;
   }
@@ -112,10 +122,39 @@ Status Run::species() {
   return {};
 }
 
+/// Keeps a value's pointer while it is equal; null for a blank one.
+void keep_equal(std::shared_ptr<const Places>& slot, const Places& places) {
+  if (places == Places{}) {
+    slot = nullptr;
+  } else if (!slot || !(*slot == places)) {
+    slot = std::make_shared<const Places>(places);
+  }
+}
+
+Status Run::ground() {
+  keep_equal(stages_.places, document_.placements.places);
+  Places opened = document_.placements.places;
+  opened.pinned_trails.clear();
+  opened.forbidden_trails.clear();
+  keep_equal(stages_.opened, opened);
+  maps_->places = stages_.places;
+  maps_->passage = maps_->paint({LayerKind::passage, "all"});
+  const auto heights = maps_->paint({LayerKind::ground, "height"});
+  const DrawnWater& water = document_.placements.water;
+  if (!heights && water == DrawnWater{}) {
+    maps_->land = document_.terrain;
+    return {};
+  }
+  const auto same = [](const Terrain& a, const Terrain& b) { return a.height == b.height; };
+  return keep(maps_->land,
+              stages_.land.get(
+                  {{document_.terrain, heights}, water},
+                  [&]() -> Result<Terrain> { return shaped_terrain(*document_.terrain, heights.get(), water); }, same));
+}
+
 Status Run::slopes() {
-  return keep(maps_->derivatives, stages_.derivatives.get({document_.terrain}, [&]() -> Result<Derivatives> {
-    return compute_derivatives(*document_.terrain);
-  }));
+  return keep(maps_->derivatives,
+              stages_.derivatives.get({maps_->land}, [&]() -> Result<Derivatives> { return compute_derivatives(*maps_->land); }));
 }
 
 double mean_height(const Terrain& terrain) {
@@ -125,16 +164,18 @@ double mean_height(const Terrain& terrain) {
 }
 
 Status Run::water() {
+  const auto mean = stages_.mean_height.get({maps_->land}, [&]() -> Result<double> { return mean_height(*maps_->land); });
   HydrologyOptions options;
   options.inflows = document_.inflows;
-  options.runoff = yearly_runoff(document_.climate, document_.terrain->latitude, mean_height(*document_.terrain));
+  options.runoff = yearly_runoff(document_.climate, maps_->land->latitude, **mean);
+  const std::vector<Inflow> drawn = inflows_of(document_.placements.water, *maps_->land, options.runoff);
+  options.inflows.insert(options.inflows.end(), drawn.begin(), drawn.end());
   std::vector<std::array<double, 3>> inflows;
   for (const Inflow& inflow : options.inflows) {
     inflows.push_back({double(inflow.x), double(inflow.y), inflow.catchment_area});
   }
-  return keep(maps_->hydrology, stages_.hydrology.get({{document_.terrain}, inflows, options.runoff}, [&] {
-    return compute_hydrology(*document_.terrain, options, context_);
-  }));
+  return keep(maps_->hydrology, stages_.hydrology.get({{maps_->land}, inflows, options.runoff},
+                                                      [&] { return compute_hydrology(*maps_->land, options, context_); }));
 }
 
 /// Puts the maps a person gave in the place of computed ones.
@@ -149,10 +190,10 @@ EnvironmentMaps with_given(EnvironmentMaps maps, const GivenEnvironment& given) 
 }
 
 Status Run::environment() {
-  InputPointers inputs{document_.terrain, maps_->derivatives, maps_->hydrology, document_.given_environment.geology};
+  InputPointers inputs{maps_->land, maps_->derivatives, maps_->hydrology, document_.given_environment.geology};
   for (const auto& layers : document_.given_environment.monthly) inputs.insert(inputs.end(), layers.begin(), layers.end());
   return keep(maps_->environment, stages_.environment.get({inputs, document_.climate}, [&]() -> Result<EnvironmentMaps> {
-    auto maps = compute_environment(*document_.terrain, *maps_->derivatives, *maps_->hydrology, document_.climate, context_);
+    auto maps = compute_environment(*maps_->land, *maps_->derivatives, *maps_->hydrology, document_.climate, context_);
     if (!maps) return maps;
     return with_given(std::move(*maps), document_.given_environment);
   }));
@@ -177,22 +218,35 @@ Status Run::plants() {
   const auto& height = document_.terrain->height;
   update_tree_cover(stages_.tree_cover, std::move(trees), height.width(), height.height());
   maps_->tree_cover = stages_.tree_cover.cover;
-  std::vector<CoverMap> shown;
-  for (const auto& cover : maps_->cover) shown.push_back(*cover);
-  maps_->plant_achieved = achieved_shares(shown);
+  update_cover_totals(stages_.cover_totals, maps_->cover);
+  maps_->plant_achieved = shares_of(stages_.cover_totals);
   return {};
 }
 
 Status Run::animal_level(std::size_t index) {
   const int number = int(index) + 1;
-  AnimalLevelInput input{*maps_->web, number, maps_->ground(), maps_->cover, maps_->animals, desired(number), {}, document_.seed, stages_.levels[index].value};
+  AnimalLevelInput input{*maps_->web,
+                         number,
+                         maps_->ground(),
+                         maps_->cover,
+                         maps_->animals,
+                         desired(number),
+                         {},
+                         {},
+                         document_.seed,
+                         stages_.levels[index].value};
   InputPointers inputs = level_pointers();
   inputs.insert(inputs.end(), maps_->cover.begin(), maps_->cover.end());
   for (const int s : maps_->web->levels[index + 1]) {
     input.paint.push_back(maps_->paint({LayerKind::animal_density, maps_->web->species[std::size_t(s)].name}));
     inputs.push_back(input.paint.back());
   }
-  auto level = stages_.levels[index].get({inputs, input.desired, input.seed}, [&] { return compute_animal_level(input, context_); });
+  for (const Species& species : maps_->web->species) {
+    input.losses.push_back(maps_->paint({LayerKind::loss, species.name}));
+    inputs.push_back(input.losses.back());
+  }
+  auto level =
+      stages_.levels[index].get({inputs, input.desired, input.seed}, [&] { return compute_animal_level(input, context_); });
   if (!level) return tl::unexpected<Error>(level.error());
   maps_->animals.push_back(*level);
   maps_->warnings.insert(maps_->warnings.end(), (*level)->warnings.begin(), (*level)->warnings.end());
@@ -227,7 +281,9 @@ Status Run::travel() {
   InputPointers all;
   for (std::size_t i = 0; i < maps_->animals.size(); ++i) {
     context_.report("travel", double(i) / double(maps_->animals.size()));
-    const InputPointers inputs{biology_, maps_->animals[i], document_.terrain, maps_->derivatives, maps_->hydrology, maps_->tree_cover};
+    InputPointers inputs = ground_pointers();
+    inputs.push_back(maps_->animals[i]);
+    inputs.push_back(maps_->places);
     auto movement = stages_.movement[i].get(inputs, [&] {
       return compute_level_movement(*maps_->web, *maps_->animals[i], maps_->ground(), context_, &stages_.travelled);
     });
@@ -242,6 +298,7 @@ Status Run::travel() {
 Status Run::trails() {
   InputPointers inputs = level_pointers();
   inputs.push_back(maps_->graph);
+  inputs.push_back(maps_->places);
   return keep(maps_->trails, stages_.trails.get(inputs, [&] {
     return compute_trails(*maps_->web, maps_->animals, maps_->movement, maps_->ground(), context_, &stages_.travelled);
   }));
@@ -251,8 +308,10 @@ Status Run::daily_plans() {
   InputPointers inputs = level_pointers();
   inputs.push_back(maps_->graph);
   inputs.push_back(maps_->trails);
-  const Status planned = keep(maps_->plans, stages_.plans.get({inputs, document_.seed}, [&] {
-    return compute_daily_plans(*maps_->web, maps_->animals, maps_->movement, maps_->ground(), document_.seed, context_, maps_->trails.get());
+  const std::vector<PlanEdit>& edits = document_.placements.plans;
+  const Status planned = keep(maps_->plans, stages_.plans.get({inputs, document_.seed, edits}, [&] {
+    return compute_daily_plans(*maps_->web, maps_->animals, maps_->movement, maps_->ground(), document_.seed, context_,
+                               maps_->trails.get(), edits);
   }));
   if (!planned) return planned;
   std::size_t herds = 0;
@@ -264,11 +323,34 @@ Status Run::daily_plans() {
   return {};
 }
 
+Status Run::overpainted() {
+  InputPointers inputs{biology_, maps_->environment};
+  std::vector<std::shared_ptr<const PaintLayer>> paint;
+  for (const int plant : maps_->web->levels.front()) {
+    paint.push_back(maps_->paint({LayerKind::plant_density, maps_->web->species[std::size_t(plant)].name}));
+  }
+  const PlantEnvironment environment = maps_->plant_environment();
+  inputs.insert(inputs.end(), paint.begin(), paint.end());
+  inputs.insert(inputs.end(), maps_->cover.begin(), maps_->cover.end());
+  inputs.insert(inputs.end(), environment.paint.begin(), environment.paint.end());
+  inputs.push_back(environment.soil.texture);
+  inputs.push_back(environment.soil.geology);
+  const auto find = [&]() -> Result<std::vector<PlantShortage>> {
+    return plant_shortages(*maps_->web, environment, maps_->cover, paint, maps_->land->cell_size);
+  };
+  const Status found = keep(maps_->plant_shortages, stages_.plant_shortages.get(inputs, find));
+  if (!found) return found;
+  for (const PlantShortage& shortage : *maps_->plant_shortages)
+    maps_->warnings.push_back(shortage_warning(*maps_->web, shortage));
+  return {};
+}
+
 Status check_inputs(const Document& document) {
   if (!document.terrain || document.terrain->height.width() < 2 || document.terrain->height.height() < 2) {
     return fail("There is no terrain to compute on: open a DEM, a scene or a sample (at least 2 x 2 cells).");
   }
-  if (!document.species || document.species->empty()) return fail("There are no species: open a species file or take the default one.");
+  if (!document.species || document.species->empty())
+    return fail("There are no species: open a species file or take the default one.");
   return {};
 }
 

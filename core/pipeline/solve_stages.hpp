@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/movement/movement_cache.hpp"
+#include "core/pipeline/cover_totals.hpp"
 #include "core/pipeline/memo.hpp"
 #include "core/pipeline/solve.hpp"
 
@@ -20,6 +21,7 @@ struct PlantStage {
   std::shared_ptr<const FoodWeb> biology;
   std::vector<double> desired;
   std::array<std::shared_ptr<const PaintLayer>, monthly_resources> paint;
+  SoilPaint soil;
   std::vector<std::shared_ptr<const CoverMap>> covers;
 };
 
@@ -37,6 +39,13 @@ struct TreeCoverStage {
 
 /// Everything a SolveCache keeps, one member an operator.
 struct SolveCache::Stages {
+  /// Ground with paint and drawn water, and its mean height.
+  Memo<std::tuple<InputPointers, DrawnWater>, Terrain> land;
+  Memo<InputPointers, double> mean_height;
+  /// What a person placed for animals: the same pointers while the values are equal. `opened` leaves out what only leads their
+  /// ways.
+  std::shared_ptr<const Places> places;
+  std::shared_ptr<const Places> opened;
   Memo<InputPointers, Derivatives> derivatives;
   Memo<std::tuple<InputPointers, std::vector<std::array<double, 3>>, double>, Hydrology> hydrology;
   Memo<std::tuple<InputPointers, Climate>, EnvironmentMaps> environment;
@@ -44,13 +53,15 @@ struct SolveCache::Stages {
   std::shared_ptr<const FoodWeb> biology;
   PlantStage plants;
   std::vector<PaintedCover> covers;
+  CoverTotals cover_totals;
   TreeCoverStage tree_cover;
   using LevelKey = std::tuple<InputPointers, std::vector<double>, std::uint64_t>;
   std::vector<Memo<LevelKey, AnimalLevel>> levels;
   std::vector<Memo<InputPointers, LevelMovement>> movement;
   Memo<InputPointers, ResourceAccessGraph> graph;
   Memo<InputPointers, TrailNetwork> trails;
-  Memo<std::tuple<InputPointers, std::uint64_t>, std::vector<DailyPlan>> plans;
+  Memo<std::tuple<InputPointers, std::uint64_t, std::vector<PlanEdit>>, std::vector<DailyPlan>> plans;
+  Memo<InputPointers, std::vector<PlantShortage>> plant_shortages;
   /// What travel and trails found before and may need again.
   MovementCache travelled;
 };

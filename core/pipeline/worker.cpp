@@ -1,25 +1,31 @@
 #include "core/pipeline/worker.hpp"
 
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <new>
 #include <optional>
 #include <thread>
 
+#include "core/base/background_priority.hpp"
+#include "core/base/last_owner.hpp"
 #include "core/pipeline/solve.hpp"
 
 namespace biotope {
 
 // The worker is a state machine with one mailbox slot.
 //
-//               post                     post (paint only): the slot is overwritten, the run goes on to its end
-//     idle  ----------->  computing  ----------------------------------------------->  computing-with-newer-input
-//       ^                  |      ^    post (another world): also asks the run to stop          |
-//       |  run ended,      |      |                                                             |
-//       +---slot empty-----+      +--------------- run ended or stopped, slot taken ------------+
+//               post                     post: the slot is overwritten, the run goes on
+//     idle  ----------->  computing  ------------------------------------------------->  computing-with-newer-input
+//       ^                  |      ^    post (another world, or an edit during the tail): also asks the run to stop  |
+//       |  run ended,      |      |                                                                                 |
+//       +---slot empty-----+      +--------------- run ended or stopped, slot taken --------------------------------+
 //
-// Whatever arrives during a run costs one further run. A run under paint is never stopped by more paint, so that a long stroke
-// shows complete results again and again; a change of terrain, climate or species makes the running one worthless and stops it.
+// Whatever arrives during a run costs one further run. A change of terrain, climate or species makes the running one worthless
+// and stops it. Any other edit (paint of every kind, things placed) never stops a run that is still at the levels of the food
+// chain: they are published again and again while a stroke lasts. The tail of a run, travel, trails and plans, gives way to such
+// an edit, so that the levels keep up with the brush; but once edits waited for `patience`, the tail goes on to its end whatever
+// arrives.
 struct Worker::State {
   struct Job {
     Document document;
@@ -38,11 +44,18 @@ struct Worker::State {
   std::shared_ptr<const MapsSnapshot> latest;
   std::shared_ptr<const MapsSnapshot> complete;
   WorkerProgress progress;
+  /// Whether the run is past the levels of the food chain.
+  bool in_tail = false;
+  /// Since when edits wait for a complete answer: the first of them, or the last complete answer if that came later.
+  std::chrono::steady_clock::time_point waiting_since;
   SolveCache cache;
+  /// Snapshots that were published: freed here, not by the window.
+  LastOwner old_maps;
   std::jthread thread;
 
   std::uint64_t post(Document document, bool from_scratch);
   void loop(std::stop_token stop);
+  void free_old_maps();
   void run(const Job& job);
   void publish(const MapsSnapshot& maps, std::uint64_t document_revision);
   void publish_failure(const Job& job, const Error& error);
@@ -50,24 +63,44 @@ struct Worker::State {
 
 namespace {
 
+/// Between looks at maps that nobody shows any more.
+constexpr std::chrono::milliseconds free_every{300};
+
 bool same_world(const Document& a, const Document& b) {
   return a.terrain == b.terrain && a.climate == b.climate && a.species == b.species;
 }
+
+/// How long trails and plans wait for a pause between edits. Our choice: with the time they take themselves, they follow a long
+/// stroke about every two seconds.
+constexpr std::chrono::milliseconds patience{1200};
+
+bool is_tail(std::string_view stage) { return stage == "travel" || stage == "trails" || stage == "daily plans"; }
 
 }  // namespace
 
 std::uint64_t Worker::State::post(Document document, bool from_scratch) {
   const std::lock_guard lock(mutex);
   const bool scratch = from_scratch || (slot && slot->from_scratch);
-  if (running && (from_scratch || !same_world(*running, document))) run_stop.request_stop();
+  const auto now = std::chrono::steady_clock::now();
+  if (!running && !slot) waiting_since = now;
+  const bool tail_gives_way = in_tail && now - waiting_since < patience;
+  if (running && (from_scratch || tail_gives_way || !same_world(*running, document))) run_stop.request_stop();
   slot = Job{std::move(document), ++posted, scratch};
   progress.busy = true;
   wake.notify_one();
   return posted;
 }
 
+void Worker::State::free_old_maps() {
+  std::vector<std::shared_ptr<const void>> unused;
+  const std::lock_guard lock(mutex);
+  unused = old_maps.take_unused();
+}
+
 void Worker::State::loop(std::stop_token stop) {
+  const BackgroundPriority priority;
   while (true) {
+    free_old_maps();
     Job job;
     {
       std::unique_lock lock(mutex);
@@ -76,7 +109,11 @@ void Worker::State::loop(std::stop_token stop) {
         progress = {};
         idle.notify_all();
       }
-      if (!wake.wait(lock, stop, [&] { return slot.has_value(); })) return;
+      const auto posted_to = [&] { return slot.has_value(); };
+      if (!wake.wait_for(lock, stop, free_every, posted_to)) {
+        if (stop.stop_requested()) return;
+        continue;
+      }
       job = std::move(*slot);
       slot.reset();
       running = job.document;
@@ -98,11 +135,16 @@ void Worker::State::run(const Job& job) {
     const std::lock_guard lock(mutex);
     context.stop = run_stop.get_token();
     progress.busy = true;
+    progress.levels_done = 0;
+    in_tail = false;
   }
   context.progress = [this](std::string_view stage, double fraction) {
     const std::lock_guard lock(mutex);
     progress.stage = stage;
     progress.fraction = fraction;
+    in_tail = in_tail || is_tail(stage);
+    // An edit that arrived while the levels were computed is answered before the tail begins.
+    if (in_tail && slot && std::chrono::steady_clock::now() - waiting_since < patience) run_stop.request_stop();
   };
   const auto show = [&](std::shared_ptr<const MapsSnapshot> partial) {
     if (!context.stopped()) publish(*partial, job.revision);
@@ -126,8 +168,12 @@ void Worker::State::publish(const MapsSnapshot& maps, std::uint64_t document_rev
   const std::lock_guard lock(mutex);
   copy->revision = ++published;
   copy->document_revision = document_revision;
+  old_maps.keep(copy);
   latest = copy;
-  if (copy->complete) complete = copy;
+  progress.levels_done = copy->cover.empty() ? 0 : 1 + copy->animals.size();
+  if (!copy->complete) return;
+  complete = copy;
+  waiting_since = std::chrono::steady_clock::now();
 }
 
 void Worker::State::publish_failure(const Job& job, const Error& error) {
@@ -137,6 +183,7 @@ void Worker::State::publish_failure(const Job& job, const Error& error) {
   copy->status = tl::unexpected<Error>(error);
   copy->revision = ++published;
   copy->document_revision = job.revision;
+  old_maps.keep(copy);
   latest = copy;
 }
 

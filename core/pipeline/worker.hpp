@@ -14,10 +14,13 @@ struct WorkerProgress {
   bool busy = false;
   std::string stage;
   double fraction = 0;
+  /// Food-chain levels, plants first, that answer the document being computed already; those after them are being recomputed.
+  std::size_t levels_done = 0;
 };
 
-/// One background thread that keeps a MapsSnapshot up to date with the newest Document posted to it. Any number of posts during a run cost
-/// one further run; a run is not starved by posts, only its outdated tail is skipped. All methods may be called from the UI thread.
+/// One background thread that keeps a MapsSnapshot up to date with the newest Document posted to it. Any number of posts during a
+/// run cost one further run. While edits keep coming the levels of the food chain come first, and trails and plans every now and
+/// then: no post starves them. All methods may be called from the UI thread.
 class Worker {
  public:
   Worker();

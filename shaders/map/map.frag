@@ -13,6 +13,7 @@ uniform vec2 viewport;
 uniform vec2 centre;            // cells
 uniform float cells_per_pixel;
 uniform vec2 map_size;          // cells
+uniform float cells_per_texel;  // of relief and heights, more than 1 while they are coarse
 uniform vec3 background;
 uniform float brightness;
 uniform bool show_water;
@@ -76,7 +77,8 @@ void main() {
     colour = vec4(background * (1.0 - shadow), 1.0);
     return;
   }
-  float lod = log2(max(cells_per_pixel, 1.0));
+  float water_lod = log2(max(cells_per_pixel, 1.0));
+  float lod = log2(max(cells_per_pixel / cells_per_texel, 1.0));
   vec4 relief = textureLod(relief_map, where, max(lod - 0.35, 0.0));
   float shade = relief.a * 2.0;
   vec3 ground = relief.rgb * mix(0.35, 1.0, clamp(shade, 0.0, 1.0)) + 0.30 * max(shade - 1.0, 0.0);
@@ -103,7 +105,7 @@ void main() {
   }
 
   if (show_water) {
-    vec2 wet = textureLod(water_map, where, max(lod - 0.5, 0.0)).rg;
+    vec2 wet = textureLod(water_map, where, max(water_lod - 0.5, 0.0)).rg;
     float mask = smoothstep(0.32, 0.62, wet.r);
     vec3 water = mix(vec3(0.42, 0.62, 0.74), vec3(0.13, 0.30, 0.46), clamp(wet.g, 0.0, 1.0));
     result = mix(result, water * brightness * 1.04, mask * (show_overlay ? 0.80 : 0.92));

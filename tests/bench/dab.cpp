@@ -1,11 +1,21 @@
-// A brush dab of 100 cells' radius on the 1024 x 1024 sample: how long until every level and the trails agree again.
+// A brush dab of 100 cells' radius: how long until its own level, the levels beside it, and everything up to trails and plans
+// answer.
+//   bench_dab [INPUT [DABS]]   INPUT: sample:valley (1024 x 1024, the default), sample:valley-1m (4096 x 4096), a DEM or a scene
+
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <string>
 #include <vector>
 
+#include "core/base/random.hpp"
 #include "core/document/brush.hpp"
+#include "core/ecosystem/surplus.hpp"
 #include "core/exchange/open_input.hpp"
 #include "core/pipeline/solve.hpp"
 
@@ -13,63 +23,208 @@ using namespace biotope;
 
 namespace {
 
-constexpr int dabs = 15;
+using Clock = std::chrono::steady_clock;
 
-LayerId layer_of(const MapsSnapshot& maps, int kind) {
-  if (kind == 0) return {LayerKind::resource, "moisture"};
-  const auto& level = maps.web->levels[kind == 1 ? 0 : 1];
-  return {kind == 1 ? LayerKind::plant_density : LayerKind::animal_density, maps.web->species[std::size_t(level.front())].name};
+/// Milliseconds of processor time that this process used so far, over all its threads.
+double processor_milliseconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto milliseconds = [](const timeval& time) { return double(time.tv_sec) * 1e3 + double(time.tv_usec) * 1e-3; };
+  return milliseconds(usage.ru_utime) + milliseconds(usage.ru_stime);
 }
 
-void run(const char* name, int kind, const Document& document, SolveCache& cache, const MapsSnapshot& start) {
-  const int side = document.terrain->height.width();
-  const Grid<float> computed(side, document.terrain->height.height(), kind == 0 ? 4.0F : 0.2F);
-  Document painted = document;
-  std::vector<double> paint_ms;
-  std::vector<double> solve_ms;
-  std::shared_ptr<const MapsSnapshot> last;
-  for (int i = 0; i < dabs; ++i) {
-    const auto before = std::chrono::steady_clock::now();
-    Stroke stroke(layer_of(start, kind), &computed);
-    const Brush brush{.mode = BrushMode::set, .radius = 100, .strength = 1, .hardness = 0.5F, .value = kind == 0 ? 8.0F : kind == 1 ? 0.9F : 80.0F};
-    stroke.dab(painted, brush, float(150 + (i * 211) % (side - 300)), float(150 + (i * 307) % (side - 300)));
-    const auto dabbed = std::chrono::steady_clock::now();
-    const auto maps = solve(painted, &cache);
-    const auto solved = std::chrono::steady_clock::now();
-    if (!maps) return;
-    last = *maps;
-    paint_ms.push_back(std::chrono::duration<double, std::milli>(dabbed - before).count());
-    solve_ms.push_back(std::chrono::duration<double, std::milli>(solved - dabbed).count());
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// What is painted.
+struct Painted {
+  std::string name;
+  LayerId layer;
+  float value = 0;     ///< set by the brush
+  float computed = 0;  ///< the map below is taken as flat
+  /// The levels that must answer first, by their number in the food chain; -1: none.
+  int own_level = -1;
+  int level_above = -1;
+  /// A species of the level below, whose surplus a person may be looking at.
+  int species_below = -1;
+};
+
+/// Measurements in milliseconds, by what was waited for, in the order of first measurement.
+class Measurements {
+ public:
+  void add(const std::string& what, double milliseconds) {
+    if (!values_.contains(what)) order_.push_back(what);
+    values_[what].push_back(milliseconds);
   }
-  std::sort(paint_ms.begin(), paint_ms.end());
-  std::sort(solve_ms.begin(), solve_ms.end());
-  std::printf("%-16s dab %.1f ms (median), consistent after %.0f ms (median), %.0f ms (worst of %d)\n", name, paint_ms[dabs / 2],
-              solve_ms[dabs / 2], solve_ms.back(), dabs);
-  for (const auto& [stage, milliseconds] : last->timings) std::printf("    %-12s %9.1f ms\n", stage.c_str(), milliseconds);
+  void print() {
+    for (const std::string& what : order_) {
+      auto& values = values_[what];
+      std::sort(values.begin(), values.end());
+      const auto percentile = [&](double share) {
+        return values[std::min(values.size() - 1, std::size_t(std::ceil(share * double(values.size()))) - 1)];
+      };
+      std::printf("    %-34s p50 %7.1f  p90 %7.1f  p99 %7.1f  worst %7.1f ms\n", what.c_str(), percentile(0.5), percentile(0.9),
+                  percentile(0.99), values.back());
+    }
+  }
+
+ private:
+  std::vector<std::string> order_;
+  std::map<std::string, std::vector<double>> values_;
+};
+
+/// Notes when each level is first published.
+class LevelClock {
+ public:
+  explicit LevelClock(Clock::time_point start) : start_(start) {}
+  void see(const MapsSnapshot& maps) {
+    const std::size_t known = maps.cover.empty() ? 0 : 1 + maps.animals.size();
+    while (answered_.size() < known) {
+      answered_.push_back(milliseconds_since(start_));
+      processor_.push_back(processor_milliseconds() - processor_at_start_);
+    }
+    if (maps.trails && trails_ < 0) trails_ = milliseconds_since(start_);
+  }
+  [[nodiscard]] double level(int number) const { return answered_.at(std::size_t(number)); }
+  /// Processor time until then.
+  [[nodiscard]] double processor(int number) const { return processor_.at(std::size_t(number)); }
+  [[nodiscard]] double trails() const { return trails_; }
+
+ private:
+  Clock::time_point start_;
+  double processor_at_start_ = processor_milliseconds();
+  std::vector<double> answered_;
+  std::vector<double> processor_;
+  double trails_ = -1;
+};
+
+/// Milliseconds to make the surplus map of one species.
+double surplus_milliseconds(const MapsSnapshot& maps, int species) {
+  const auto start = Clock::now();
+  const int level = maps.web->level[std::size_t(species)];
+  const LayerId loss{LayerKind::loss, maps.web->species[std::size_t(species)].name};
+  const auto lost = maps.paint(loss);
+  if (level == 0) {
+    const auto& plants = maps.web->levels[0];
+    const auto place = std::size_t(std::find(plants.begin(), plants.end(), species) - plants.begin());
+    (void)plant_surplus(*maps.web, species, *maps.cover[place], maps.animals, lost.get());
+  } else {
+    (void)animal_surplus(*maps.web, species, *maps.animals[std::size_t(level) - 1], maps.animals, lost.get());
+  }
+  return milliseconds_since(start);
+}
+
+/// Paints and solves again; false when a solve failed.
+bool run(const Painted& painted, int dabs, const Document& start, SolveCache& cache) {
+  const int width = start.terrain->height.width();
+  const int height = start.terrain->height.height();
+  const Grid<float> computed(width, height, painted.computed);
+  Brush brush;
+  brush.mode = BrushMode::set;
+  brush.radius = 100;
+  brush.strength = 1;
+  brush.value = painted.value;
+  Document document = start;
+  // What the layer painted before left behind must not count here.
+  if (const auto settled = solve(document, &cache); !settled) return false;
+  Measurements measured;
+  for (int i = 0; i < dabs; ++i) {
+    const auto before = Clock::now();
+    const auto place = std::uint64_t(i);
+    const int x = random_int(100, width - 100, {7, place, 1});
+    const int y = random_int(100, height - 100, {7, place, 2});
+    Stroke stroke(painted.layer, &computed);
+    stroke.dab(document, brush, float(x), float(y));
+    measured.add("the dab itself", milliseconds_since(before));
+    const auto posted = Clock::now();
+    const double processor = processor_milliseconds();
+    LevelClock clock(posted);
+    const auto maps = solve(document, &cache, {}, [&](std::shared_ptr<const MapsSnapshot> partial) { clock.see(*partial); });
+    const double consistent = milliseconds_since(posted);
+    if (!maps) {
+      std::printf("%s: %s\n", painted.name.c_str(), maps.error().message.c_str());
+      return false;
+    }
+    if (painted.own_level >= 0) measured.add("its own level", clock.level(painted.own_level));
+    if (painted.level_above >= 0) {
+      measured.add("the level above", clock.level(painted.level_above));
+      measured.add("the level above, processor time", clock.processor(painted.level_above));
+    }
+    if (painted.species_below >= 0)
+      measured.add("the level below, with its surplus",
+                   clock.level(painted.own_level) + surplus_milliseconds(**maps, painted.species_below));
+    measured.add("trails", clock.trails());
+    measured.add("all, with plans", consistent);
+    measured.add("all, processor time", processor_milliseconds() - processor);
+    for (const auto& [stage, milliseconds] : (*maps)->timings) measured.add("  stage: " + stage, milliseconds);
+  }
+  std::printf("%s (%d dabs)\n", painted.name.c_str(), dabs);
+  measured.print();
+  std::fflush(stdout);
+  return true;
+}
+
+std::vector<Painted> paintable(const MapsSnapshot& maps) {
+  const FoodWeb& web = *maps.web;
+  const auto first = [&](std::size_t level) { return web.levels[level].front(); };
+  const auto name = [&](int species) { return web.species[std::size_t(species)].name; };
+  std::vector<Painted> all;
+  all.push_back({"moisture", {LayerKind::resource, "moisture"}, 8, 4, -1, 0, -1});
+  for (const Stratum stratum : {Stratum::herb, Stratum::tree}) {
+    for (const int plant : web.levels[0]) {
+      if (web.species[std::size_t(plant)].plant().stratum != stratum) continue;
+      all.push_back({stratum == Stratum::herb ? "a herb's density" : "a tree's density",
+                     {LayerKind::plant_density, name(plant)},
+                     0.9F,
+                     0.2F,
+                     0,
+                     1,
+                     -1});
+      break;
+    }
+  }
+  for (std::size_t level = 1; level < web.levels.size(); ++level) {
+    const int above = level + 1 < web.levels.size() ? int(level) + 1 : -1;
+    all.push_back({"an animal's density, level " + std::to_string(level),
+                   {LayerKind::animal_density, name(first(level))},
+                   level == 1 ? 80.0F : 5.0F,
+                   0.2F,
+                   int(level),
+                   above,
+                   first(level - 1)});
+  }
+  all.push_back({"passage", {LayerKind::passage, "all"}, 1, 0, -1, 1, -1});
+  all.push_back({"ground height", {LayerKind::ground, "height"}, 700, 500, -1, 0, -1});
+  return all;
 }
 
 }  // namespace
 
-int main() {
-  const auto opened = std::chrono::steady_clock::now();
-  auto document = open_input("sample:valley");
+int main(int count, char** arguments) {
+  const std::string input = count > 1 ? arguments[1] : "sample:valley";
+  const int dabs = count > 2 ? std::max(1, std::atoi(arguments[2])) : 30;
+  const std::string only = count > 3 ? arguments[3] : "";
+  const auto opened = Clock::now();
+  const auto document = open_input(input);
   if (!document) {
     std::printf("%s\n", document.error().message.c_str());
     return 1;
   }
+  std::printf("%s: %d x %d cells, opened in %.0f ms\n", input.c_str(), document->terrain->height.width(),
+              document->terrain->height.height(), milliseconds_since(opened));
   SolveCache cache;
-  const auto generated = std::chrono::steady_clock::now();
+  const auto begun = Clock::now();
   const auto start = solve(*document, &cache);
-  const auto solved = std::chrono::steady_clock::now();
   if (!start) {
     std::printf("%s\n", start.error().message.c_str());
     return 1;
   }
-  std::printf("sample generated in %.2f s, first complete maps after %.2f s more\n",
-              std::chrono::duration<double>(generated - opened).count(), std::chrono::duration<double>(solved - generated).count());
+  std::printf("first complete maps after %.0f ms\n", milliseconds_since(begun));
   for (const auto& [stage, milliseconds] : (*start)->timings) std::printf("    %-12s %9.1f ms\n", stage.c_str(), milliseconds);
-  run("moisture", 0, *document, cache, **start);
-  run("plant density", 1, *document, cache, **start);
-  run("animal density", 2, *document, cache, **start);
+  for (const Painted& painted : paintable(**start)) {
+    if (!only.empty() && painted.name.find(only) == std::string::npos) continue;
+    if (!run(painted, dabs, *document, cache)) return 1;
+  }
   return 0;
 }

@@ -85,12 +85,14 @@ TEST_CASE("A new step forgets what could be redone") {
   }
   CHECK_FALSE(history.can_redo());
   CHECK(history.names().size() == 2);
+  CHECK(history.size() == 2);
 }
 
 TEST_CASE("The byte budget drops the oldest steps but never the newest") {
   Document document = blank_document(256, 256);
   const Grid<float> computed(256, 256, 4.0F);
-  History history(200000);
+  constexpr std::size_t budget = 20000;
+  History history(budget);
   Brush brush;
   brush.radius = 20;
   brush.value = 9;
@@ -100,6 +102,51 @@ TEST_CASE("The byte budget drops the oldest steps but never the newest") {
     history.record(stroke.finish(document));
     CHECK(history.can_undo());
   }
-  CHECK(history.names().size() < 10);
-  CHECK(history.bytes() <= 200000 + 20 * sizeof(PaintLayer::Tile));
+  CHECK(history.size() < 10);
+  CHECK(history.size() + history.dropped() == 10);
+  // At most the newest step and what was there before it.
+  CHECK(history.bytes() <= budget + 9 * sizeof(PaintLayer::Tile));
+}
+
+TEST_CASE("A slider that is dragged is one step") {
+  Document document = blank_document(64, 64);
+  History history;
+  const auto set_seed = [&](std::uint64_t seed, const char* key) {
+    Document after = document;
+    after.seed = seed;
+    history.perform(document, std::make_unique<DocumentCommand>("Seed", document, std::move(after)), key);
+  };
+  for (std::uint64_t seed = 2; seed <= 50; ++seed) set_seed(seed, "seed drag 1");
+  CHECK(history.size() == 1);
+  set_seed(60, "seed drag 2");
+  CHECK(history.size() == 2);
+  set_seed(70, "");
+  set_seed(80, "");
+  CHECK(history.size() == 4);
+  while (history.size() > 0 && history.undo(document)) {
+  }
+  CHECK(document.seed == 1);
+  // Merging does not reach over an undo.
+  REQUIRE(history.redo(document));
+  CHECK(document.seed == 50);
+  set_seed(51, "seed drag 1");
+  CHECK(history.size() == 2);
+  REQUIRE(history.undo(document));
+  CHECK(document.seed == 50);
+}
+
+TEST_CASE("Many small steps take little memory and little time") {
+  Document document = blank_document(512, 512);
+  History history;
+  for (std::uint64_t seed = 2; seed < 5000; ++seed) {
+    Document after = document;
+    after.seed = seed;
+    history.perform(document, std::make_unique<DocumentCommand>("Seed", document, std::move(after)));
+  }
+  CHECK(history.size() == 4998);
+  CHECK(history.bytes() < 4998 * 8000);
+  CHECK(history.name(17) == "Seed");
+  while (history.undo(document)) {
+  }
+  CHECK(document.seed == 1);
 }

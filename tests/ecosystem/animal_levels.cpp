@@ -236,6 +236,6 @@ TEST_CASE("a computation that is asked to stop returns nothing") {
   source.request_stop();
   TaskContext context;
   context.stop = source.get_token();
-  const AnimalLevelInput input{scene.web, 1, scene.land.ground(), scene.plants, {}, {}, {}, 1};
+  const AnimalLevelInput input{scene.web, 1, scene.land.ground(), scene.plants, {}, {}, {}, {}, 1};
   CHECK(!compute_animal_level(input, context));
 }

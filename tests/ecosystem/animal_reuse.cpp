@@ -40,7 +40,7 @@ struct Valleys {
       const std::vector<std::shared_ptr<const PaintLayer>>& paint = {}) const {
     std::vector<std::shared_ptr<const AnimalLevel>> levels;
     for (const int level : {1, 2}) {
-      AnimalLevelInput input{builder.web, level, ground, plants, levels, {}, {}, 1};
+      AnimalLevelInput input{builder.web, level, ground, plants, levels, {}, {}, {}, 1};
       if (level == 1) input.paint = paint;
       if (!previous.empty()) input.previous = previous[std::size_t(level) - 1];
       auto result = compute_animal_level(input);

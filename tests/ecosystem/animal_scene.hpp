@@ -113,7 +113,7 @@ struct Scene {
 
   std::shared_ptr<const AnimalLevel> solve(int level, std::vector<double> desired = {},
                                            std::vector<std::shared_ptr<const PaintLayer>> paint = {}) const {
-    const AnimalLevelInput input{web, level, land.ground(), plants, levels, std::move(desired), std::move(paint), 1};
+    const AnimalLevelInput input{web, level, land.ground(), plants, levels, std::move(desired), std::move(paint), {}, 1};
     auto result = compute_animal_level(input);
     REQUIRE(result);
     return std::make_shared<const AnimalLevel>(std::move(*result));

@@ -47,7 +47,7 @@ struct Scene {
     }
     maps->texture = std::make_shared<const Grid<float>>(texture_);
     maps->geology = std::make_shared<const Grid<Geology>>(geology_);
-    return PlantEnvironment{maps, {}};
+    return PlantEnvironment{maps, {}, {}};
   }
 
  private:

@@ -1,11 +1,13 @@
+#include <zip.h>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
-#include <zip.h>
 
+#include <limits>
 #include <map>
 
 #include "core/exchange/scene_archive.hpp"
 #include "core/exchange/scene_file.hpp"
+#include "core/exchange/scene_raster.hpp"
 #include "tests/exchange/raster_files.hpp"
 #include "tests/exchange/scene_sample.hpp"
 
@@ -54,14 +56,15 @@ TEST_CASE("the archive is a plain ZIP with the promised entries") {
   const TemporaryFolder folder;
   REQUIRE(save_scene(folder / "a.biotope", full_document()));
   const auto entries = entries_of(folder / "a.biotope");
-  for (const char* name : {"scene.json", "climate.json", "species.json", "terrain.tif", "voids.tif",
-                           "layers/1-resource.tif", "environment/temperature-12.tif", "environment/geology.tif"}) {
+  for (const char* name : {"scene.json", "climate.json", "species.json", "terrain.tif", "voids.tif", "layers/1-resource.tif",
+                           "selection.tif", "placements.json", "environment/temperature-12.tif", "environment/geology.tif"}) {
     INFO(name);
     CHECK(entries.contains(name));
   }
   const auto json = nlohmann::json::parse(entries.at("scene.json"));
   CHECK(json.at("version") == scene_format_version);
-  CHECK(json.at("layers").size() == 3);
+  CHECK(json.at("layers").size() == 8);
+  CHECK(nlohmann::json::parse(entries.at("placements.json")).at("fords").size() == 1);
 }
 
 TEST_CASE("a scene of a newer program is refused with advice") {
@@ -93,7 +96,7 @@ TEST_CASE("a scene whose parts do not fit together is refused") {
 }
 
 TEST_CASE("absurd sizes are refused before memory is taken") {
-  CHECK_THAT(error_after([](auto& json, auto&) { json["terrain"]["width"] = 2000000000; }), Contains("cells"));
+  CHECK_THAT(error_after([](auto& json, auto&) { json["terrain"]["width"] = 2000000000; }), Contains("width"));
   CHECK_THAT(error_after([](auto& json, auto& entries) {
                const std::string bomb(8 << 20, 'a');
                entries["voids.tif"] = bomb;
@@ -142,4 +145,149 @@ TEST_CASE("what is no scene says so") {
   const auto zip = load_scene(folder / "zip.biotope");
   REQUIRE_FALSE(zip);
   CHECK_THAT(zip.error().message, Contains("scene.json"));
+}
+
+TEST_CASE("a scene of an older version opens, and what it did not know is empty") {
+  const TemporaryFolder folder;
+  REQUIRE(save_scene(folder / "a.biotope", full_document()));
+  ArchiveEntries entries = entries_of(folder / "a.biotope");
+  auto json = nlohmann::ordered_json::parse(entries.at("scene.json"));
+  json["version"] = 1;
+  for (const char* key : {"layer_states", "selection", "placements"}) json.erase(key);
+  for (const char* name : {"selection.tif", "placements.json"}) {
+    json["checksums"].erase(name);
+    entries.erase(name);
+  }
+  std::erase_if(json["layers"].get_ref<nlohmann::ordered_json::array_t&>(), [](const auto& layer) {
+    return layer["kind"] != "resource" && layer["kind"] != "plant-density" && layer["kind"] != "animal-density";
+  });
+  entries["scene.json"] = json.dump();
+  REQUIRE(write_archive(folder / "old.biotope", entries));
+  const auto loaded = load_scene(folder / "old.biotope");
+  if (!loaded) FAIL(loaded.error().message);
+  Document expected = full_document();
+  expected.layer_states.clear();
+  expected.selection = nullptr;
+  expected.placements = {};
+  std::erase_if(expected.layers, [](const auto& layer) { return layer.first.kind > LayerKind::animal_density; });
+  require_same(expected, *loaded);
+}
+
+TEST_CASE("layers, states and placements that cannot be are refused") {
+  CHECK_THAT(error_after([](auto& json, auto&) { json["layers"].push_back(json["layers"][0]); }), Contains("no other layer"));
+  CHECK_THAT(error_after([](auto& json, auto&) { json["layers"][1]["file"] = json["layers"][0]["file"]; }),
+             Contains("no other layer"));
+  CHECK_THAT(error_after([](auto& json, auto&) { json["layers"][0]["name"] = "smell"; }),
+             Contains("layer 1") && Contains("smell"));
+  CHECK_THAT(error_after([](auto& json, auto&) { json["layer_states"][0]["hidden"] = 3; }),
+             Contains("layer state 1") && Contains("hidden"));
+  CHECK_THAT(error_after([](auto& json, auto&) { json["smell"] = 1; }), Contains("smell"));
+  CHECK_THAT(error_after([](auto& json, auto&) { json["seed"] = -1; }), Contains("seed"));
+  CHECK_THAT(error_after([](auto& json, auto&) { json["version"] = 1e300; }), Contains("version"));
+  CHECK_THAT(error_after([](auto& json, auto&) { json["version"] = 18446744073709551615ULL; }), Contains("newer"));
+  CHECK_THAT(error_after([](auto& json, auto&) { json["use_proportions"]["one"] = true; }), Contains("use_proportions.one"));
+  CHECK_THAT(error_after([](auto&, auto& entries) { entries.erase("selection.tif"); }), Contains("selection.tif"));
+  CHECK_THAT(error_after([](auto& json, auto& entries) {
+               entries["placements.json"] = R"({"fords": [{"at": [1, 1e9]}]})";
+               json["checksums"]["placements.json"] = checksum(entries["placements.json"]);
+             }),
+             Contains("placements.json") && Contains("fords[0]") && Contains("at"));
+}
+
+TEST_CASE("paint that its layer cannot hold is refused") {
+  const auto with_paint = [](const char* kind, Paint paint) {
+    return error_after([&](auto& json, auto& entries) {
+      PaintLayer layer(160, 128);
+      layer.set(3, 3, paint);
+      for (auto& one : json["layers"]) {
+        if (one["kind"] != kind) continue;
+        const std::string file = one["file"];
+        entries[file] = encode_paint(layer).value();
+        json["checksums"][file] = checksum(entries[file]);
+      }
+    });
+  };
+  CHECK_THAT(with_paint("geology", {7, 1}), Contains("geology") && Contains("range"));
+  CHECK_THAT(with_paint("geology", {-1, 1}), Contains("geology") && Contains("range"));
+}
+
+TEST_CASE("paint that is no number does not make a scene unreadable") {
+  const TemporaryFolder folder;
+  Document document = full_document();
+  PaintLayer layer(160, 128);
+  layer.set(3, 3, {std::numeric_limits<float>::quiet_NaN(), 1});
+  layer.set(4, 3, {5, 2});
+  PaintLayer geology(160, 128);
+  geology.set(1, 1, {9, 1});
+  document.layers[{LayerKind::resource, "moisture"}] = std::make_shared<const PaintLayer>(layer);
+  document.layers[{LayerKind::geology, "class"}] = std::make_shared<const PaintLayer>(geology);
+  REQUIRE(save_scene(folder / "a.biotope", document));
+  const auto loaded = load_scene(folder / "a.biotope");
+  if (!loaded) FAIL(loaded.error().message);
+  const PaintLayer& moisture = *loaded->layers.at({LayerKind::resource, "moisture"});
+  CHECK(moisture(3, 3) == Paint{});
+  CHECK(moisture(4, 3) == Paint{5, 1});
+  CHECK((*loaded->layers.at({LayerKind::geology, "class"}))(1, 1) == Paint{4, 1});
+}
+
+TEST_CASE("JSON nested without end is refused") {
+  for (const char* entry : {"climate.json", "species.json", "placements.json"}) {
+    CHECK_THAT(error_after([&](auto& json, auto& entries) {
+                 entries[entry] = std::string(1000000, '[');
+                 json["checksums"][entry] = checksum(entries[entry]);
+               }),
+               Contains(entry) && Contains("nested"));
+  }
+  const TemporaryFolder folder;
+  REQUIRE(write_archive(folder / "deep.biotope", {{"scene.json", std::string(1000000, '[')}}));
+  const auto deep = load_scene(folder / "deep.biotope");
+  REQUIRE_FALSE(deep);
+  CHECK_THAT(deep.error().message, Contains("scene.json") && Contains("nested"));
+}
+
+namespace {
+
+/// The error of a scene that holds entries of these names, of which every "bbb" is then overwritten.
+std::string error_of_names(const std::string& instead) {
+  const TemporaryFolder folder;
+  REQUIRE(write_archive(folder / "a.biotope", {{"aaa", "x"}, {"bbb", "y"}}));
+  std::string bytes = bytes_of(folder / "a.biotope");
+  for (std::size_t at = bytes.find("bbb"); at != std::string::npos; at = bytes.find("bbb", at + 3)) bytes.replace(at, 3, instead);
+  std::ofstream(folder / "b.biotope", std::ios::binary) << bytes;
+  const auto loaded = load_scene(folder / "b.biotope");
+  REQUIRE_FALSE(loaded);
+  CHECK_THAT(loaded.error().message, Contains("b.biotope"));
+  return loaded.error().message;
+}
+
+}  // namespace
+
+TEST_CASE("an archive that lists one name twice, or names that are no text, is refused") {
+  CHECK_THAT(error_of_names("aaa"), Contains("twice"));
+  CHECK_THAT(error_of_names("b\xff\xfe"), Contains("UTF-8"));
+  CHECK_THAT(error_of_names("b\xc0\x80"), Contains("UTF-8"));
+  CHECK_THAT(error_of_names("b\x01z"), Contains("UTF-8"));
+  CHECK_THAT(error_of_names("../"), Contains("leads out"));
+}
+
+TEST_CASE("a bomb is refused before it goes off") {
+  const TemporaryFolder folder;
+  REQUIRE(write_archive(folder / "bomb.biotope", {{"scene.json", std::string(std::size_t(80) << 20, ' ')}}));
+  REQUIRE(std::filesystem::file_size(folder / "bomb.biotope") < 200000);
+  const auto bomb = load_scene(folder / "bomb.biotope");
+  REQUIRE_FALSE(bomb);
+  CHECK_THAT(bomb.error().message, Contains("bomb.biotope") && Contains("unpacks"));
+  // A map of which every block is left out is a few bytes that claim any size.
+  GDALAllRegister();
+  char block_x[] = "BLOCKXSIZE=512";
+  char block_y[] = "BLOCKYSIZE=512";
+  char tiled[] = "TILED=YES";
+  char sparse_ok[] = "SPARSE_OK=TRUE";
+  char* options[] = {tiled, block_x, block_y, sparse_ok, nullptr};
+  GDALClose(GDALCreate(GDALGetDriverByName("GTiff"), (folder / "a.tif").c_str(), 16384, 16384, 1, GDT_Byte, options));
+  const std::string sparse = bytes_of(folder / "a.tif");
+  REQUIRE(sparse.size() < 100000);
+  const auto cells = decode_bytes(sparse, 16384, 16384, "a.tif");
+  REQUIRE_FALSE(cells);
+  CHECK_THAT(cells.error().message, Contains("a.tif") && Contains("too short"));
 }

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 #include <chrono>
+#include <limits>
 
 #include "core/document/brush.hpp"
 #include "core/exchange/scene_file.hpp"
@@ -82,4 +83,31 @@ TEST_CASE("untouched tiles of a layer take no room") {
   const auto loaded = load_scene(folder / "painted.biotope");
   REQUIRE(loaded);
   require_same(document, *loaded);
+}
+
+TEST_CASE("a climate that was edited beyond its limits is saved at the nearest that fits") {
+  const TemporaryFolder folder;
+  Document document = full_document();
+  document.climate.temperature_mean[6] = 58;
+  document.climate.temperature_max[6] = 63;
+  document.climate.temperature_min[0] = document.climate.temperature_mean[0] + 1;
+  document.climate.precipitation[3] = -4;
+  REQUIRE(save_scene(folder / "a.biotope", document));
+  const auto loaded = load_scene(folder / "a.biotope");
+  if (!loaded) FAIL(loaded.error().message);
+  CHECK(loaded->climate.temperature_max[6] == 60);
+  CHECK(loaded->climate.temperature_min[0] == document.climate.temperature_mean[0]);
+  CHECK(loaded->climate.precipitation[3] == 0);
+}
+
+TEST_CASE("what could not be opened again is not saved, and the old scene stays") {
+  const TemporaryFolder folder;
+  Document document = full_document();
+  REQUIRE(save_scene(folder / "a.biotope", document));
+  const std::string before = bytes_of(folder / "a.biotope");
+  document.placements.places.fords = {{{std::numeric_limits<float>::quiet_NaN(), 1}, 5}};
+  const Status saved = save_scene(folder / "a.biotope", document);
+  REQUIRE_FALSE(saved);
+  CHECK_THAT(saved.error().message, Contains("a.biotope") && Contains("fords[0]"));
+  CHECK(bytes_of(folder / "a.biotope") == before);
 }

@@ -7,6 +7,44 @@
 
 namespace biotope_test {
 
+/// Something of every kind that can be placed.
+inline biotope::Placements some_placements() {
+  using namespace biotope;
+  Placements placements;
+  placements.water.rivers = {{{{1.1F, 2}, {30, 40.25F}, {-3, 120}}, 1.0 / 3}, {{{5, 5}, {6, 6}}, 12}};
+  placements.water.lakes = {{{{10, 10}, {20, 10}, {15.7F, 22}}, 2.3F}};
+  placements.places.fords = {{{12.3F, 4}, 7.7F}};
+  placements.places.exits = {{{0, 64}, 20}, {{159, 3}, 11.1F}};
+  placements.places.waypoints = {{{80, 80}, 0.35F}};
+  placements.places.pinned_trails = {{{{1, 1}, {2.2F, 3.3F}}, 12345.6F}};
+  placements.places.forbidden_trails = {{{{9, 9}, {99, 9}, {99, 99}}, 0.1F}};
+  placements.plans = {{"reindeer", {50, 60.5F}, 2, {{{40, 41}, 6.25F, 9.1F}, {{44, 45}, 22.5F, 26}}}, {"wolf", {1, 1}, 0, {}}};
+  return placements;
+}
+
+/// Layers of the kinds that came with version 2, states, a selection and placements.
+inline void add_newer_parts(biotope::Document& document) {
+  using namespace biotope;
+  const int width = document.terrain->height.width();
+  const int height = document.terrain->height.height();
+  const auto dotted = [&](float value) {
+    PaintLayer layer(width, height);
+    for (int i = 0; i < 40; ++i) layer.set((i * 37) % width, (i * 11) % height, {value, 1 - float(i) / 64});
+    return std::make_shared<PaintLayer>(layer);
+  };
+  document.layers[{LayerKind::resource, "texture"}] = dotted(3.5F);
+  document.layers[{LayerKind::geology, "class"}] = dotted(2);
+  document.layers[{LayerKind::loss, document.species->front().name}] = dotted(0.4F);
+  document.layers[{LayerKind::passage, "all"}] = dotted(-1);
+  document.layers[{LayerKind::ground, "height"}] = dotted(-12.5F);
+  document.layer_states[{LayerKind::ground, "height"}] = {true, false};
+  document.layer_states[{LayerKind::loss, "nobody"}] = {false, true};
+  SelectionMask selection(width, height);
+  for (int i = 0; i < 100; ++i) selection.set(60 + i % 20, 40 + i / 20, std::uint8_t(255 - i));
+  document.selection = std::make_shared<const SelectionMask>(selection);
+  document.placements = some_placements();
+}
+
 /// A document with something in every part that a scene saves.
 inline biotope::Document full_document() {
   using namespace biotope;
@@ -42,9 +80,9 @@ inline biotope::Document full_document() {
   document.layers[{LayerKind::resource, "moisture"}] = std::make_shared<PaintLayer>(moisture);
   document.layers[{LayerKind::animal_density, "nobody"}] = std::make_shared<PaintLayer>(width, height);
 
+  add_newer_parts(document);
   for (int month = 0; month < months; ++month) {
-    document.given_environment.monthly[1].push_back(
-        std::make_shared<const Grid<float>>(width, height, 1 + float(month) / 3));
+    document.given_environment.monthly[1].push_back(std::make_shared<const Grid<float>>(width, height, 1 + float(month) / 3));
   }
   Grid<Geology> geology(width, height, Geology::marl);
   geology(1, 1) = Geology::alluvium;
@@ -74,6 +112,10 @@ inline void require_same(const biotope::Document& a, const biotope::Document& b)
   }
   REQUIRE(a.layers.size() == b.layers.size());
   for (const auto& [id, layer] : a.layers) REQUIRE(*layer == *b.layers.at(id));
+  REQUIRE(a.layer_states == b.layer_states);
+  REQUIRE(bool(a.selection) == bool(b.selection));
+  if (a.selection) REQUIRE(*a.selection == *b.selection);
+  REQUIRE(a.placements == b.placements);
   for (std::size_t r = 0; r < a.given_environment.monthly.size(); ++r) {
     const auto& maps = a.given_environment.monthly[r];
     REQUIRE(maps.size() == b.given_environment.monthly[r].size());

@@ -1,4 +1,7 @@
+#include <epoxy/gl.h>
+
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cstdlib>
 
 #include "render/map_renderer.hpp"
@@ -51,6 +54,7 @@ struct Table {
   }
   Image draw() {
     target->bind();
+    renderer->finish_loading(options);
     renderer->draw(options, 128, 128);
     return target->read();
   }
@@ -144,4 +148,56 @@ TEST_CASE("a slope that faces the light from the north-west is brighter than one
   const auto west = pixel(image, 32, 64);  // rises to the east, so it faces west
   const auto east = pixel(image, 96, 64);
   CHECK(west[0] + west[1] + west[2] > east[0] + east[1] + east[2] + 30);
+}
+
+TEST_CASE("a brush that redraws a part of the map leaves the picture that drawing all of it makes") {
+  Table table;
+  if (!table.make()) return;
+  auto snapshot = flat_landscape();
+  auto terrain = std::make_shared<Terrain>(*snapshot->document.terrain);
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) terrain->height(x, y) = float(x * x + 3 * y) / 7;
+  }
+  snapshot->document.terrain = terrain;
+  table.renderer->set_snapshot(snapshot);
+  table.options.contours = true;
+  table.options.line_step = 0.2F;
+  auto cells = std::make_shared<Grid<float>>(side, side, 0.0F);
+  auto paint = std::make_shared<PaintLayer>(side, side);
+  table.options.overlay = MapOverlay{cells, 0, 1, ColourMap::greens, 1, 0};
+  table.options.hatched = std::make_shared<PaintLayer>(*paint);
+  for (const double zoom : {2.0, 0.6, 5.0}) {
+    table.options.view.pixels_per_cell = zoom;
+    (void)table.draw();
+    for (int y = 20; y < 40; ++y) {
+      for (int x = 30; x < 44; ++x) {
+        (*cells)(x, y) += 0.1F + 0.002F * float(x);
+        paint->set(x, y, {1, 1});
+      }
+    }
+    table.renderer->patch_overlay(*cells, {30, 20, 44, 40});
+    table.options.hatched = std::make_shared<PaintLayer>(*paint);
+    const Image part = table.draw();
+    table.options.dark = false;
+    (void)table.draw();
+    table.options.dark = true;
+    CHECK(part.rgba == table.draw().rgba);
+  }
+}
+
+TEST_CASE("the map is never waited for: without finish_loading it is there after some frames, and the same") {
+  Table table;
+  if (!table.make()) return;
+  table.renderer->set_snapshot(flat_landscape());
+  auto cells = std::make_shared<Grid<float>>(side, side, 0.6F);
+  table.options.overlay = MapOverlay{cells, 0, 1, ColourMap::greens, 1, 0};
+  table.target->bind();
+  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  do {
+    table.renderer->draw(table.options, 128, 128);
+  } while (!table.renderer->complete() && std::chrono::steady_clock::now() < until);
+  const Image by_and_by = table.target->read();
+  CHECK(table.renderer->complete());
+  CHECK(by_and_by.rgba == table.draw().rgba);
+  CHECK(glGetError() == GL_NO_ERROR);
 }

@@ -6,7 +6,6 @@
 #include "ui/map_furniture.hpp"
 #include "ui/outdated_area.hpp"
 #include "ui/panels/climate_chart.hpp"
-#include "ui/stroke_group.hpp"
 #include "ui/trail_figures.hpp"
 
 using namespace biotope;

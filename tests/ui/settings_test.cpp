@@ -31,6 +31,7 @@ TEST_CASE("settings survive a restart") {
   settings.first_steps_closed = true;
   settings.shortcuts["tool.brush"] = "P";
   settings.window_width = 1920;
+  settings.history_megabytes = 2048;
   const std::filesystem::path file = scratch.path / "deep" / "settings.json";
   REQUIRE(save_settings(file, settings));
   const Settings read = load_settings(file);
@@ -41,6 +42,7 @@ TEST_CASE("settings survive a restart") {
   CHECK(read.first_steps_closed);
   CHECK(read.shortcuts == settings.shortcuts);
   CHECK(read.window_width == 1920);
+  CHECK(read.history_megabytes == 2048);
   CHECK_FALSE(std::filesystem::exists(file.string() + ".new"));
 }
 

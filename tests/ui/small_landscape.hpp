@@ -44,6 +44,7 @@ inline std::shared_ptr<MapsSnapshot> small_landscape() {
   level->regions = {regions};
   level->computed_population = {{12, 0}};
   level->population = {{12, 0}};
+  level->eaten = {{0}, {0}};
   auto snapshot = std::make_shared<MapsSnapshot>();
   snapshot->revision = 1;
   snapshot->document_revision = 1;

@@ -6,6 +6,7 @@
 #include "ui/editor_actions.hpp"
 #include "ui/format.hpp"
 #include "ui/icons.hpp"
+#include "ui/panels/layers_panel.hpp"
 #include "ui/panels/panels.hpp"
 
 namespace biotope {
@@ -30,27 +31,6 @@ void draw_identity(const UiContext& ui) {
   tooltip(ui.theme, "The same inputs and seed always give the same landscape");
 }
 
-void draw_paint_list(const UiContext& ui) {
-  EditorState& state = ui.state;
-  if (state.document.layers.empty()) return;
-  heading(ui.theme, "Paint");
-  std::optional<LayerId> removed;
-  for (const auto& [layer, paint] : state.document.layers) {
-    ImGui::PushID(layer.name.c_str());
-    ImGui::PushID(int(layer.kind));
-    const int species = state.web() == nullptr ? -1 : state.web()->find(layer.name);
-    const std::string name = species < 0 ? layer.name : display_name(state.web()->species[std::size_t(species)]);
-    ImGui::TextUnformatted(fitted_text(name, ImGui::GetContentRegionAvail().x - ui.theme.px(30)).c_str());
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - ui.theme.px(22));
-    if (icon_button(ui.theme, "off", ui.theme.has_icons ? icons::close : "x", ui.theme.muted,
-                    "Take this paint off; can be undone"))
-      removed = layer;
-    ImGui::PopID();
-    ImGui::PopID();
-  }
-  if (removed) clear_paint(state, *removed);
-}
-
 void draw_timings(const UiContext& ui) {
   const EditorState& state = ui.state;
   if (!state.shown || state.shown->timings.empty()) return;
@@ -64,17 +44,22 @@ void draw_timings(const UiContext& ui) {
 void draw_history_panel(const UiContext& ui) {
   EditorState& state = ui.state;
   heading(ui.theme, "History");
-  const std::vector<std::string> names = state.history.names();
   const std::size_t position = state.history.position();
   std::optional<std::size_t> wanted;
-  if (ImGui::Selectable("As opened", position == 0)) wanted = 0;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const bool done = i < position;
-    ImGui::PushID(int(i));
-    ImGui::PushStyleColor(ImGuiCol_Text, done ? ui.theme.text : ui.theme.muted);
-    if (ImGui::Selectable(names[i].c_str(), i + 1 == position)) wanted = i + 1;
-    ImGui::PopStyleColor();
-    ImGui::PopID();
+  const std::size_t dropped = state.history.dropped();
+  const std::string first = dropped == 0 ? "As opened" : std::to_string(dropped) + " older steps are forgotten";
+  if (ImGui::Selectable(first.c_str(), position == 0)) wanted = 0;
+  ImGuiListClipper rows;
+  rows.Begin(int(state.history.size()));
+  while (rows.Step()) {
+    for (int row = rows.DisplayStart; row < rows.DisplayEnd; ++row) {
+      const auto step = std::size_t(row);
+      ImGui::PushID(row);
+      ImGui::PushStyleColor(ImGuiCol_Text, step < position ? ui.theme.text : ui.theme.muted);
+      if (ImGui::Selectable(state.history.name(step).c_str(), step + 1 == position)) wanted = step + 1;
+      ImGui::PopStyleColor();
+      ImGui::PopID();
+    }
   }
   if (wanted) go_to_step(state, *wanted);
   hint(ui.theme, "Undo holds " + format_bytes(state.history.bytes()) + " of " + format_bytes(state.history.budget()));
@@ -103,7 +88,7 @@ void draw_project_panel(const UiContext& ui) {
   heading(ui.theme, "Project");
   draw_identity(ui);
   draw_warnings_panel(ui);
-  draw_paint_list(ui);
+  draw_layers_panel(ui, false);
   draw_history_panel(ui);
   draw_timings(ui);
 }

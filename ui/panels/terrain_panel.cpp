@@ -1,6 +1,7 @@
 #include "ui/editor_actions.hpp"
 #include "ui/format.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/placing_panel.hpp"
 
 namespace biotope {
 namespace {
@@ -31,17 +32,18 @@ void draw_terrain_panel(const UiContext& ui) {
   readout(ui.theme, "Size", format_length(terrain.width_metres()) + " x " + format_length(terrain.height_metres()));
   readout(ui.theme, "Cells", std::to_string(terrain.height.width()) + " x " + std::to_string(terrain.height.height()));
   readout(ui.theme, "Cell size", format_value(terrain.cell_size, "m"));
-  const auto [low, high] = state.height_range;
+  const auto [low, high] = state.ground.height_range;
   readout(ui.theme, "Heights", format_value(low, "m") + " to " + format_value(high, "m"));
   readout(ui.theme, "Latitude", format_value(terrain.latitude, "°"));
   readout(ui.theme, "Reference", fitted_text(crs_name(terrain.georeference), ui.theme.px(170)));
-  readout(ui.theme, "Filled voids", terrain.voids.empty() ? "none" : format_percent(state.void_share));
+  readout(ui.theme, "Filled voids", terrain.voids.empty() ? "none" : format_percent(state.ground.void_share));
   if (state.shown && state.shown->hydrology) {
     draw_water(ui, *state.shown->hydrology);
   } else {
     heading(ui.theme, "Water");
     hint(ui.theme, "Rivers and lakes are being found");
   }
+  draw_water_things(ui);
   ImGui::Dummy(ImVec2(0, ui.theme.px(8)));
   if (ImGui::Button("Open another terrain ...", ImVec2(-1, 0))) state.dialogs.open_file = true;
   tooltip(ui.theme, "GeoTIFF, ASC, HGT, PNG 16 and whatever else GDAL reads; or drop a file on the window",

@@ -3,6 +3,7 @@
 #include "ui/editor_actions.hpp"
 #include "ui/format.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/placing_panel.hpp"
 
 namespace biotope {
 namespace {
@@ -75,6 +76,7 @@ void draw_trails_panel(const UiContext& ui) {
   readout(ui.theme, "Length of all", format_length(trails.total_length()));
   readout(ui.theme, "Busiest", trails.routes.empty() ? "no trail" : format_value(figures.busiest / 1000, "t/yr"));
   if (state.shown->plans) readout(ui.theme, "Herds walking them", format_count(double(state.shown->plans->size())));
+  draw_way_things(ui);
   if (!trails.routes.empty()) {
     draw_lengths(ui, figures);
     draw_most_used(ui, figures);

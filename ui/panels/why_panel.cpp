@@ -68,6 +68,8 @@ void draw_why_panel(const UiContext& ui) {
   } else {
     hint(theme, "Choose a species in the list and click again to ask why it is here, or why not.");
   }
+  ImGui::Checkbox("Follow the pointer", &state.view.why_follows);
+  tooltip(theme, "Explain every place the pointer comes to, without a click");
   draw_present(ui, question);
   if (closed) state.question.reset();
 }

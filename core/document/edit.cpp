@@ -1,0 +1,67 @@
+#include "core/document/edit.hpp"
+
+#include "core/document/edit_commands.hpp"
+
+namespace biotope {
+namespace {
+
+std::string select_words(const SelectEdit& edit) {
+  switch (edit.shape) {
+    case SelectEdit::Shape::everything:
+      return "Select everything";
+    case SelectEdit::Shape::nothing:
+      return "Select nothing";
+    case SelectEdit::Shape::rectangle:
+      return "Select a rectangle";
+    case SelectEdit::Shape::lasso:
+      return "Select by lasso";
+    case SelectEdit::Shape::range:
+      return "Select by value";
+    case SelectEdit::Shape::inverse:
+      return "Invert the selection";
+  }
+  return "Select";
+}
+
+std::vector<LayerId> layers_of(const std::vector<EditTarget>& targets) {
+  std::vector<LayerId> layers;
+  for (const EditTarget& target : targets) layers.push_back(target.layer);
+  return layers;
+}
+
+struct NameOf {
+  std::string operator()(const StrokeEdit& edit) const { return stroke_name(layers_of(edit.targets)); }
+  std::string operator()(const FillEdit& edit) const {
+    // "Paint oak and 2 more" -> "Fill oak and 2 more"
+    return "Fill" + stroke_name(layers_of(edit.targets)).substr(std::string("Paint").size());
+  }
+  std::string operator()(const SelectEdit& edit) const { return select_words(edit); }
+  std::string operator()(const ClearEdit& edit) const { return "Clear " + layer_words(edit.layer); }
+  std::string operator()(const ImageEdit& edit) const { return "Lay an image over " + layer_words(edit.layer); }
+  std::string operator()(const MixEdit& edit) const {
+    return "Mix " + layer_words(edit.from) + " into " + layer_words(edit.into);
+  }
+  std::string operator()(const PartsEdit& edit) const { return edit.name; }
+};
+
+struct CommandOf {
+  const Document& document;
+  const EditGrounds& grounds;
+  CommandResult operator()(const StrokeEdit& edit) const { return stroke_command(document, edit, grounds); }
+  CommandResult operator()(const FillEdit& edit) const { return fill_command(document, edit, grounds); }
+  CommandResult operator()(const SelectEdit& edit) const { return select_command(document, edit, grounds); }
+  CommandResult operator()(const ClearEdit& edit) const { return clear_command(document, edit); }
+  CommandResult operator()(const ImageEdit& edit) const { return image_command(document, edit, grounds); }
+  CommandResult operator()(const MixEdit& edit) const { return mix_command(document, edit, grounds); }
+  CommandResult operator()(const PartsEdit& edit) const { return parts_command(document, edit); }
+};
+
+}  // namespace
+
+std::string edit_name(const Edit& edit) { return std::visit(NameOf{}, edit); }
+
+Result<std::unique_ptr<Command>> make_command(const Document& document, const Edit& edit, const EditGrounds& grounds) {
+  return std::visit(CommandOf{document, grounds}, edit);
+}
+
+}  // namespace biotope

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "core/document/history.hpp"
+#include "ui/background_task.hpp"
+
+namespace biotope {
+
+struct EditorState;
+
+/// An edit script being played in the background: what it has made waits here for the window's thread.
+struct EditPlayer {
+  struct Step {
+    std::shared_ptr<const Command> command;  ///< null for undo and redo
+    int steps = 0;                           ///< of undo (less than 0) and redo
+  };
+  struct Queue {
+    std::mutex mutex;
+    std::deque<Step> steps;
+    std::size_t count = 0;
+  };
+
+  BackgroundTask<std::size_t> task;
+  /// A recording being written.
+  BackgroundTask<std::size_t> saving;
+  std::shared_ptr<Queue> queue;
+  std::string name;
+  /// Entries that are done, of all.
+  std::size_t done = 0;
+  std::size_t count = 0;
+  /// Count of edits the document must have, or somebody else changed it.
+  std::uint64_t edits = 0;
+  [[nodiscard]] bool running() const { return task.running(); }
+};
+
+// Recording.
+
+/// Begins to record what the person does from now on; what was recorded before and not saved is dropped.
+void start_recording(EditorState& state);
+/// Ends recording, and asks for a file to save it in.
+void stop_and_save_recording(EditorState& state);
+/// Number of the history's newest step that is done, however many old ones were dropped.
+[[nodiscard]] std::size_t history_step(const EditorState& state);
+
+// Playing.
+
+/// Asks for a script and plays it on the document.
+void ask_to_play(EditorState& state);
+/// Plays a script in the background: one step of the history for each entry, as soon as it is made.
+void play_edits(EditorState& state, const std::filesystem::path& file);
+/// Once a frame: does to the document what has been made, and says when a recording is written.
+void advance_playing(EditorState& state);
+/// Stops; what is done stays and can be undone.
+void cancel_playing(EditorState& state);
+
+}  // namespace biotope

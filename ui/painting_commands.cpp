@@ -1,0 +1,128 @@
+#include "ui/painting_commands.hpp"
+
+#include "ui/edit_actions.hpp"
+#include "ui/editor_actions.hpp"
+#include "ui/icons.hpp"
+#include "ui/paint_targets.hpp"
+#include "ui/tool_gestures.hpp"
+
+namespace biotope {
+namespace {
+
+struct ToolRow {
+  const char* id;
+  const char* name;
+  const char* keys;
+  const char* tooltip;
+  const char* icon;
+  Tool tool;
+};
+
+constexpr ToolRow tools[] = {
+    {"tool.select", "Select", "V", "Click to ask why the selected species is, or is not, here; drag to move the map",
+     icons::pointer, Tool::select},
+    {"tool.brush", "Paint", "B", "Paint more of what you look at; raise the ground in the Terrain tab", icons::brush, Tool::add},
+    {"tool.set", "Paint a value", "T", "Paint one value, from above and from below", icons::set_value, Tool::set},
+    {"tool.erase", "Erase", "E", "Paint less of what you look at; lower the ground in the Terrain tab", icons::eraser,
+     Tool::erase},
+    {"tool.restore", "Restore computed", "R", "Give the computed map back under the brush", icons::restore, Tool::restore},
+    {"tool.smooth", "Smooth", "S", "Even out what is under the brush", icons::smooth, Tool::smooth},
+    {"tool.sharpen", "Sharpen edges", "Shift+S", "Push values away from their surroundings", icons::sharpen, Tool::sharpen},
+    {"tool.noise", "Noise", "N", "Roughen with patches of the size you choose", icons::noise, Tool::noise},
+    {"tool.clone", "Clone", "C", "Copy from elsewhere or from another map; Ctrl+click says where from", icons::clone,
+     Tool::clone},
+    {"tool.raise", "Raise the ground", "U", "Heap the ground up", icons::raise, Tool::raise},
+    {"tool.lower", "Lower the ground", "J", "Dig the ground down", icons::lower, Tool::lower},
+    {"tool.flatten", "Flatten the ground", "H", "Bring the ground to the height where the stroke begins", icons::flatten,
+     Tool::flatten},
+    {"tool.carve", "Carve a trench", "Shift+J", "Cut a trench of one depth along the stroke", icons::carve, Tool::carve},
+    {"tool.fill", "Fill", "G", "Click to fill what is selected, or what the filter lets through, or everything", icons::bucket,
+     Tool::fill},
+    {"tool.gradient", "Gradient", "Shift+G", "Drag a line: values change along it", icons::gradient, Tool::gradient},
+    {"tool.select_rectangle", "Select a rectangle", "M", "Drag; Shift adds, Ctrl takes away, both keep what is in both",
+     icons::rectangle, Tool::select_rectangle},
+    {"tool.select_lasso", "Select with a lasso", "L", "Draw around; Shift adds, Ctrl takes away, both keep what is in both",
+     icons::lasso, Tool::select_lasso},
+};
+
+bool has_document(const EditorState& state) { return state.has_document; }
+
+EditorCommand command(const char* id, const char* name, const char* keys, const char* tooltip, const char* icon,
+                      std::function<void(EditorState&)> action) {
+  EditorCommand made;
+  made.id = id;
+  made.menu = "Edit";
+  made.name = name;
+  made.keys = keys;
+  made.tooltip = tooltip;
+  made.icon = icon;
+  made.run = std::move(action);
+  made.enabled = has_document;
+  return made;
+}
+
+void add_tools(std::vector<EditorCommand>& list) {
+  for (const ToolRow& row : tools) {
+    EditorCommand made = command(row.id, row.name, row.keys, row.tooltip, row.icon, [tool = row.tool](EditorState& state) {
+      cancel_tool(state);
+      state.tool = tool;
+    });
+    made.menu = "Tools";
+    made.enabled = {};
+    made.checked = [tool = row.tool](const EditorState& state) { return state.tool == tool; };
+    made.line_before =
+        row.tool == Tool::add || row.tool == Tool::raise || row.tool == Tool::fill || row.tool == Tool::select_rectangle;
+    list.push_back(std::move(made));
+  }
+}
+
+void add_selection(std::vector<EditorCommand>& list) {
+  list.push_back(command("select.all", "Select everything", "Ctrl+A", "Edits act everywhere", icons::rectangle,
+                         [](EditorState& state) { select_shape(state, SelectEdit::Shape::everything); }));
+  list.back().line_before = true;
+  list.push_back(command("select.drop", "Deselect", "Ctrl+Shift+A", "Drop the selection: edits act everywhere again",
+                         icons::close, [](EditorState& state) { select_shape(state, SelectEdit::Shape::everything); }));
+  list.back().enabled = [](const EditorState& state) { return state.document.selection != nullptr; };
+  list.push_back(command("select.none", "Select nothing", "", "Start an empty selection to add to", icons::close,
+                         [](EditorState& state) { select_shape(state, SelectEdit::Shape::nothing); }));
+  list.push_back(command("select.invert", "Invert the selection", "Ctrl+Shift+I", "Select what is not selected", icons::invert,
+                         [](EditorState& state) { select_shape(state, SelectEdit::Shape::inverse); }));
+  list.push_back(command("select.range", "Select by value ...", "",
+                         "Select where a map, the slope or the height lies between two values", icons::filter,
+                         [](EditorState& state) { state.dialogs.select_range = true; }));
+}
+
+void add_layer_commands(std::vector<EditorCommand>& list) {
+  list.push_back(command("paint.fill", "Fill now", "Shift+Enter", "Fill what is selected with the brush's value", icons::bucket,
+                         [](EditorState& state) {
+                           const Tool before = std::exchange(state.tool, Tool::fill);
+                           press_tool(state, {}, {});
+                           state.tool = before;
+                         }));
+  list.back().line_before = true;
+  list.push_back(command("paint.restore", "Take the paint off here", "Delete",
+                         "Give the computed map back where something is selected, or everywhere", icons::restore,
+                         [](EditorState& state) {
+                           const Tool before = std::exchange(state.tool, Tool::fill);
+                           const BrushMode mode = std::exchange(state.paint.fill_mode, BrushMode::restore_computed);
+                           const float strength = std::exchange(state.paint.fill_strength, 1.0F);
+                           press_tool(state, {}, {});
+                           state.tool = before;
+                           state.paint.fill_mode = mode;
+                           state.paint.fill_strength = strength;
+                         }));
+  list.push_back(command("brush.show_filter", "Show where the brush may act", "Shift+F",
+                         "Red film where the filter or the selection keep it away", icons::filter,
+                         [](EditorState& state) { state.paint.show_filter = !state.paint.show_filter; }));
+  list.back().checked = [](const EditorState& state) { return state.paint.show_filter; };
+}
+
+}  // namespace
+
+void add_painting_commands(std::vector<EditorCommand>& list) {
+  add_selection(list);
+  add_layer_commands(list);
+  add_tools(list);
+}
+
+}  // namespace biotope
