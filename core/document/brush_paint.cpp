@@ -27,8 +27,10 @@ float source_value(const LayerPainter& painter, int x, int y) {
   const Grid<float>& source = *painter.source;
   const bool inside = sx > -0.5 && sy > -0.5 && sx < source.width() - 0.5 && sy < source.height() - 0.5;
   if (!inside) return std::numeric_limits<float>::quiet_NaN();
-  return holds_classes(painter.kind) ? source.clamped(int(std::lround(sx)), int(std::lround(sy)))
-                                     : sample_bilinear(source, sx, sy);
+  // Between cells only: a neighbour without a value must not take the cell's own.
+  const bool on_cell = sx == std::floor(sx) && sy == std::floor(sy);
+  return on_cell || holds_classes(painter.kind) ? source.clamped(int(std::lround(sx)), int(std::lround(sy)))
+                                                : sample_bilinear(source, sx, sy);
 }
 
 float ramp_value(const LayerPainter& painter, int x, int y) {

@@ -195,6 +195,8 @@ TEST_CASE("An image is laid over a layer, but for its cells without a number") {
   perform(document, edit, grounds);
   CHECK(paint_at(document, moisture, 5, 5) == Paint{});
   CHECK(paint_at(document, moisture, 6, 5) == Paint{9, 0.5F});
+  CHECK(paint_at(document, moisture, 4, 5) == Paint{6, 0.5F});
+  CHECK(paint_at(document, moisture, 5, 4) == Paint{6, 0.5F});
   CHECK(final_at(document, grounds, moisture, 30, 30) == Approx(5.5F));
   edit.values = std::make_shared<const Grid<float>>(width + 1, height, 6.0F);
   CHECK_FALSE(make_command(document, edit, grounds));
