@@ -191,6 +191,10 @@ void measure(const std::string& sample, ViewMode mode, double seconds) {
   open(state, "sample:" + sample);
   settle(opening);
   report("opening", opening);
+  if (!state.has_document) {
+    std::printf("'%s' is no sample\n", sample.c_str());
+    return;
+  }
   state.tool = Tool::add;
   state.brush.radius = 40 * float(state.document.terrain->height.width()) / 1024;
   struct Part {
