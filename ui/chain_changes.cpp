@@ -17,6 +17,13 @@ double relative(double before, double after) {
   return (after - before) / std::abs(before);
 }
 
+/// Change of what is left over, relative to what grew: the surplus itself may be next to nothing, and would then change by
+/// thousands of percents.
+double surplus_change(const SpeciesFigures& before, const SpeciesFigures& after) {
+  const double change = after.surplus() - before.surplus();
+  return std::isfinite(change) && before.growth > 0 ? change / before.growth : 0;
+}
+
 double strength_of(double change) { return std::isfinite(change) ? std::abs(change) : 1; }
 
 }  // namespace
@@ -26,8 +33,7 @@ std::vector<SpeciesChange> changes_between(const std::vector<SpeciesFigures>& be
   std::vector<SpeciesChange> changes;
   if (before.size() != after.size()) return changes;
   for (std::size_t i = 0; i < before.size(); ++i) {
-    SpeciesChange change{int(i), relative(before[i].amount, after[i].amount), relative(before[i].surplus(), after[i].surplus()),
-                         0};
+    SpeciesChange change{int(i), relative(before[i].amount, after[i].amount), surplus_change(before[i], after[i]), 0};
     change.strength = std::max(strength_of(change.amount), strength_of(change.surplus));
     if (change.strength >= least) changes.push_back(change);
   }

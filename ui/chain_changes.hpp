@@ -9,8 +9,8 @@
 
 namespace biotope {
 
-/// What an edit did to one species: differences relative to before (0.1 is 10 % more); NaN where there was nothing to compare
-/// with.
+/// What an edit did to one species: of its amount relative to before (0.1 is 10 % more; NaN where there was nothing), of its
+/// surplus relative to the growth before.
 struct SpeciesChange {
   int species = 0;
   double amount = 0;

@@ -132,3 +132,11 @@ TEST_CASE("an edit is told against what was before it, however many answers come
   CHECK(changes.follow(figures(82), 4, 4, false));
   CHECK(changes.changes().empty());
 }
+
+TEST_CASE("a change of surplus is told against what grew, however little was left over") {
+  const std::vector<SpeciesFigures> before{{100, 1000, 999, 0, 0, 1, 1}};
+  const std::vector<SpeciesFigures> after{{100, 1000, 960, 0, 0, 1, 1}};
+  const auto changes = changes_between(before, after);
+  REQUIRE(changes.size() == 1);
+  CHECK(changes.front().surplus == Approx(0.039));
+}
