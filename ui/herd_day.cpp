@@ -1,6 +1,7 @@
 #include "ui/herd_day.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -135,6 +136,11 @@ void set_hours(PlanEdit& day, std::size_t stop, float arrive, float leave) {
   arrive = std::clamp(rounded(arrive), from, until - shortest_stay);
   day.stops[stop].arrive = arrive;
   day.stops[stop].leave = std::clamp(rounded(leave), arrive + shortest_stay, until);
+}
+
+const char* activity_word(HerdActivity activity) {
+  static constexpr std::array<const char*, 5> words{"resting", "drinking", "feeding", "walking", "hunting"};
+  return words[std::size_t(activity)];
 }
 
 std::string resource_name(const MapsSnapshot& maps, int level, int node) {

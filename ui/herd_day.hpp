@@ -53,6 +53,8 @@ void swap_stops(PlanEdit& day, std::size_t a, std::size_t b);
 /// Sets a stop's hours, rounded to five minutes; it stays between its neighbours and lasts at least a quarter of an hour.
 void set_hours(PlanEdit& day, std::size_t stop, float arrive, float leave);
 
+/// "resting", "drinking" ...
+[[nodiscard]] const char* activity_word(HerdActivity activity);
 /// What a resource is called: "Oak, 3.2 ha", "bank", "herd of red deer".
 [[nodiscard]] std::string resource_name(const MapsSnapshot& maps, int level, int node);
 /// The node of a level nearest to a place; -1: none.

@@ -230,33 +230,21 @@ void MapCanvas::draw_things(const UiContext& ui, ImVec2 origin, PixelPoint canva
 
 void MapCanvas::draw_herd_tooltip(const UiContext& ui, PixelPoint canvas, PixelPoint pixel) const {
   const EditorState& state = ui.state;
-  if (!state.view.herds || !state.shown || !state.shown->plans || !state.shown->graph || !state.shown->web) return;
+  if (!state.view.herds || !state.shown || !state.shown->web) return;
   const MapsSnapshot& snapshot = *state.shown;
-  double nearest = ui.theme.px(14);
-  const DailyPlan* under = nullptr;
-  HerdState its;
-  for (const DailyPlan& plan : *snapshot.plans) {
-    const auto species = std::size_t(plan.species);
-    if (species < state.view.visible_species.size() && !state.view.visible_species[species]) continue;
-    if (std::size_t(plan.level) >= snapshot.graph->levels.size()) continue;
-    const HerdState where =
-        herd_state(plan, snapshot.graph->levels[std::size_t(plan.level)], state.clock.hour, snapshot.terrain().cell_size);
-    const PixelPoint at = pixel_of(state.view.map, canvas, where.at.x, where.at.y);
-    const double away = std::hypot(at.x - pixel.x, at.y - pixel.y);
-    if (away >= nearest) continue;
-    nearest = away;
-    under = &plan;
-    its = where;
-  }
-  if (under == nullptr) return;
-  static constexpr std::array<const char*, 5> doing{"resting", "drinking", "feeding", "walking", "hunting"};
-  const Species& species = snapshot.web->species[std::size_t(under->species)];
+  const float reach = ui.theme.px(14) / float(state.view.map.pixels_per_cell);
+  const int nearest =
+      herd_near(snapshot, state.view.visible_species, state.clock.hour, cell_at(state.view.map, canvas, pixel), reach);
+  if (nearest < 0) return;
+  const DailyPlan& plan = (*snapshot.plans)[std::size_t(nearest)];
+  const HerdState its =
+      herd_state(plan, snapshot.graph->levels[std::size_t(plan.level)], state.clock.hour, snapshot.terrain().cell_size);
+  const Species& species = snapshot.web->species[std::size_t(plan.species)];
   ImGui::BeginTooltip();
   ImGui::PushFont(ui.theme.bold);
   ImGui::TextUnformatted(display_name(species).c_str());
   ImGui::PopFont();
-  std::string line =
-      std::to_string(under->size) + (under->size == 1 ? " animal, " : " animals, ") + doing[std::size_t(its.activity)];
+  std::string line = std::to_string(plan.size) + (plan.size == 1 ? " animal, " : " animals, ") + activity_word(its.activity);
   if (its.activity == HerdActivity::walking) line += " at " + format_value(its.speed * 3.6, "km/h");
   ImGui::TextColored(ui.theme.muted, "%s", line.c_str());
   ImGui::EndTooltip();

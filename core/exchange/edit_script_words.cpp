@@ -2,6 +2,7 @@
 #include <array>
 
 #include "core/exchange/edit_script_json.hpp"
+#include "core/exchange/scene_json.hpp"
 
 namespace biotope {
 namespace script_json {
@@ -50,30 +51,6 @@ std::span<const std::string> mix_words() {
 
 }  // namespace script_json
 
-namespace {
-
-/// Names that a kind of layer may have; empty: any species.
-std::span<const std::string> names_of_kind(LayerKind kind) {
-  static const std::array<std::string, 4> resources{"illumination", "temperature", "moisture", "texture"};
-  static const std::array<std::string, 1> geology{"class"};
-  static const std::array<std::string, 1> passage{"all"};
-  static const std::array<std::string, 1> ground{"height"};
-  switch (kind) {
-    case LayerKind::resource:
-      return resources;
-    case LayerKind::geology:
-      return geology;
-    case LayerKind::passage:
-      return passage;
-    case LayerKind::ground:
-      return ground;
-    default:
-      return {};
-  }
-}
-
-}  // namespace
-
 std::string layer_to_text(const LayerId& layer) {
   return script_json::layer_kind_words()[std::size_t(layer.kind)] + ":" + layer.name;
 }
@@ -85,7 +62,7 @@ std::optional<LayerId> layer_from_text(std::string_view text) {
   const auto kind = std::find(kinds.begin(), kinds.end(), text.substr(0, colon));
   if (kind == kinds.end()) return std::nullopt;
   const LayerId layer{LayerKind(kind - kinds.begin()), std::string(text.substr(colon + 1))};
-  const auto names = names_of_kind(layer.kind);
+  const auto names = layer_names(layer.kind);
   if (!names.empty() && std::find(names.begin(), names.end(), layer.name) == names.end()) return std::nullopt;
   return layer;
 }

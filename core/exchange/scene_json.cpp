@@ -16,29 +16,6 @@ namespace {
 constexpr const char* format_name = "biotope-scene";
 constexpr std::array<const char*, monthly_resources> resource_names{"illumination", "temperature", "moisture"};
 
-/// Names that layers of a kind may have; nothing for kinds that are named after species.
-std::span<const std::string> names_of(LayerKind kind) {
-  static const std::vector<std::string> resources{"illumination", "temperature", "moisture", "texture"};
-  static const std::vector<std::string> geology{"class"};
-  static const std::vector<std::string> passage{"all"};
-  static const std::vector<std::string> ground{"height"};
-  switch (kind) {
-    case LayerKind::resource:
-      return resources;
-    case LayerKind::geology:
-      return geology;
-    case LayerKind::passage:
-      return passage;
-    case LayerKind::ground:
-      return ground;
-    case LayerKind::plant_density:
-    case LayerKind::animal_density:
-    case LayerKind::loss:
-      break;
-  }
-  return {};
-}
-
 Json inflows_to_json(const std::vector<Inflow>& inflows) {
   Json list = Json::array();
   for (const Inflow& inflow : inflows) {
@@ -177,7 +154,7 @@ class ManifestReader {
     read_text(reader, "name", id.name);
     const auto found = std::ranges::find(layer_kind_names(), kind);
     if (found != layer_kind_names().end()) id.kind = LayerKind(found - layer_kind_names().begin());
-    const auto names = names_of(id.kind);
+    const auto names = layer_names(id.kind);
     if (reader.ok() && !names.empty() && std::ranges::find(names, id.name) == names.end()) {
       reader.refuse("name", "a map of its kind", id.name);
     }
@@ -248,6 +225,28 @@ Status check_version(const Json& json, const std::string& origin) {
 }
 
 }  // namespace
+
+std::span<const std::string> layer_names(LayerKind kind) {
+  static const std::vector<std::string> resources{"illumination", "temperature", "moisture", "texture"};
+  static const std::vector<std::string> geology{"class"};
+  static const std::vector<std::string> passage{"all"};
+  static const std::vector<std::string> ground{"height"};
+  switch (kind) {
+    case LayerKind::resource:
+      return resources;
+    case LayerKind::geology:
+      return geology;
+    case LayerKind::passage:
+      return passage;
+    case LayerKind::ground:
+      return ground;
+    case LayerKind::plant_density:
+    case LayerKind::animal_density:
+    case LayerKind::loss:
+      break;
+  }
+  return {};
+}
 
 std::span<const std::string> layer_kind_names() {
   static const std::vector<std::string> names{"resource", "plant-density", "animal-density", "geology",

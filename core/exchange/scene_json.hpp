@@ -44,6 +44,8 @@ struct SceneManifest {
 
 /// What scenes and edit scripts call the kinds of layers, in the order of LayerKind.
 [[nodiscard]] std::span<const std::string> layer_kind_names();
+/// Names that layers of a kind may have; nothing for kinds that are named after species.
+[[nodiscard]] std::span<const std::string> layer_names(LayerKind kind);
 
 /// What a document says of itself; layers get their file names, checksums are left empty.
 [[nodiscard]] SceneManifest manifest_of(const Document& document);

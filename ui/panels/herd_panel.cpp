@@ -1,7 +1,6 @@
 #include "ui/panels/herd_panel.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "ui/editor_actions.hpp"
@@ -11,8 +10,6 @@
 
 namespace biotope {
 namespace {
-
-constexpr std::array<const char*, 5> doing{"resting", "drinking", "feeding", "walking", "hunting"};
 
 /// Takes hold of the part of a stop under an hour.
 void take_stop(HerdDay& own, const PlanEdit& day, float hour, float reach) {
@@ -174,9 +171,9 @@ void draw_head(const UiContext& ui, const PlanEdit& day, const DailyPlan* plan) 
   if (plan != nullptr) {
     const HerdState now =
         herd_state(*plan, maps.graph->levels[std::size_t(plan->level)], state.clock.hour, maps.terrain().cell_size);
-    hint(ui.theme, std::to_string(plan->size) + (plan->size == 1 ? " animal, " : " animals, ") +
-                       doing[std::size_t(now.activity)] + " at " + format_clock(state.clock.hour) +
-                       (plan->followed >= 0 ? "; follows another herd" : "") + (plan->edited ? "; planned by you" : ""));
+    hint(ui.theme, std::to_string(plan->size) + (plan->size == 1 ? " animal, " : " animals, ") + activity_word(now.activity) +
+                       " at " + format_clock(state.clock.hour) + (plan->followed >= 0 ? "; follows another herd" : "") +
+                       (plan->edited ? "; planned by you" : ""));
     if (!plan->unreachable_stops.empty()) {
       ImGui::TextColored(ui.theme.attention, "%s",
                          (std::to_string(plan->unreachable_stops.size()) + " stops cannot be reached in time").c_str());
