@@ -108,21 +108,27 @@ Result<PictureSize> parse_picture_size(std::string_view text) {
   return *size;
 }
 
-Result<Camera> parse_camera(std::string_view text) {
+Result<ViewRequest> parse_camera(std::string_view text) {
   const auto parts = split(text, ',');
+  const bool above_ground = parts.size() > 2 && parts[2].starts_with('+');
   std::vector<double> values;
   for (const std::string_view part : parts) {
-    const auto value = number<double>(part);
+    const auto value = number<double>(above_ground && values.size() == 2 ? part.substr(1) : part);
     if (value && std::isfinite(*value)) values.push_back(*value);
   }
   if (parts.size() != 5 || values.size() != 5) {
-    return wrong(text, "x,y,z,heading,pitch: metres from the south-west corner and above the sea, degrees");
+    return wrong(text, "x,y,z,heading,pitch: metres from the south-west corner and above the sea (+z: above the ground), degrees");
   }
   Camera camera;
   camera.position = {values[0], values[1], values[2]};
   camera.heading = float(values[3]);
   camera.pitch = float(values[4]);
-  return camera;
+  return ViewRequest{camera, above_ground};
+}
+
+Result<Weather> parse_weather(std::string_view text) {
+  if (const auto weather = weather_named(text)) return *weather;
+  return wrong(text, "clear, fair, overcast, rain, fog or storm");
 }
 
 }  // namespace biotope

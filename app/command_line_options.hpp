@@ -8,6 +8,7 @@
 #include "core/base/status.hpp"
 #include "core/exchange/dem_import.hpp"
 #include "render/camera.hpp"
+#include "render/weather.hpp"
 
 namespace biotope {
 
@@ -50,8 +51,16 @@ struct PictureSize {
 /// `WIDTHxHEIGHT` in pixels, 16 to 16384 each.
 [[nodiscard]] Result<PictureSize> parse_picture_size(std::string_view text);
 
-/// `x,y,z,heading,pitch`: metres from the south-west corner, z above sea level, degrees clockwise from north and above the
-/// horizon.
-[[nodiscard]] Result<Camera> parse_camera(std::string_view text);
+/// A point of view as it is asked for.
+struct ViewRequest {
+  Camera camera;
+  /// The camera's height is metres above the ground instead of above the sea.
+  bool above_ground = false;
+};
+/// `x,y,z,heading,pitch`: metres from the south-west corner, z above sea level or with a + before it above the ground, degrees
+/// clockwise from north and above the horizon.
+[[nodiscard]] Result<ViewRequest> parse_camera(std::string_view text);
+/// The name of a weather.
+[[nodiscard]] Result<Weather> parse_weather(std::string_view text);
 
 }  // namespace biotope

@@ -16,6 +16,13 @@
 namespace biotope {
 namespace {
 
+Camera camera_of(const MapsSnapshot& snapshot, const RenderRequest& request) {
+  if (!request.view) return first_view(snapshot);
+  Camera camera = request.view->camera;
+  if (request.view->above_ground) camera.position.z += double(ground_height(snapshot.terrain(), camera.position.x, camera.position.y));
+  return camera;
+}
+
 Result<Image> picture_of(const std::shared_ptr<const MapsSnapshot>& snapshot, const RenderRequest& request) {
   auto renderer = LandscapeRenderer::create();
   if (!renderer) return tl::unexpected(renderer.error());
@@ -23,8 +30,10 @@ Result<Image> picture_of(const std::shared_ptr<const MapsSnapshot>& snapshot, co
   LandscapeOptions options;
   options.hour = request.hour;
   options.month = request.month - 1;
-  options.quality = 2;
-  const Camera camera = request.camera.value_or(first_view(*snapshot));
+  options.weather = request.weather;
+  options.seconds = request.seconds;
+  options.quality = float(request.quality);
+  const Camera camera = camera_of(*snapshot, request);
   (*renderer)->finish_loading(camera, options);
   const RenderTarget target(request.size.width, request.size.height);
   target.bind();

@@ -8,6 +8,7 @@
 #include "app/command_line_options.hpp"
 #include "core/base/status.hpp"
 #include "core/pipeline/maps_snapshot.hpp"
+#include "render/weather.hpp"
 
 namespace biotope {
 
@@ -16,9 +17,12 @@ struct RenderRequest {
   std::string picture;
   PictureSize size;
   /// Where to look from; absent: the landscape's own first view.
-  std::optional<Camera> camera;
+  std::optional<ViewRequest> view;
   double hour = 10.5;  ///< local solar time, 0..24
   int month = 6;       ///< 1 is January
+  Weather weather;
+  double seconds = 0;  ///< time of what moves: leaves, waves, rain
+  double quality = 2;  ///< 0.5 low, 1 medium, 2 high
 };
 
 /// Draws a computed landscape into the request's picture; needs a current OpenGL context.

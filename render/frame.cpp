@@ -1,5 +1,6 @@
 #include "render/frame.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -51,6 +52,14 @@ void set_light(FrameUniforms& frame, const Daylight& light, int month) {
   frame.ambient_ground = glm::vec4(light.ambient_ground, 0);
   frame.horizon = glm::vec4(light.horizon, 0);
   frame.zenith = glm::vec4(light.zenith, 0);
+}
+
+void set_weather(FrameUniforms& frame, const Weather& weather, double seconds) {
+  const float wetness = weather.precipitation > 0 ? std::min(1.0F, 0.5F + weather.precipitation) : 0.0F;
+  frame.weather = {weather.cloud, weather.precipitation, weather.fog, wetness};
+  // It blows from where it comes: the other way round.
+  const float from = glm::radians(weather.wind_direction);
+  frame.wind = {-weather.wind * std::sin(from), -weather.wind * std::cos(from), float(seconds), 0};
 }
 
 }  // namespace biotope

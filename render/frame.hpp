@@ -5,6 +5,7 @@
 
 #include "render/camera.hpp"
 #include "render/daylight.hpp"
+#include "render/weather.hpp"
 
 namespace biotope {
 
@@ -25,6 +26,9 @@ struct FrameUniforms {
   glm::vec4 camera_up{0};
   glm::vec4 camera_forward{0};  ///< w: tangent of half the vertical field
   glm::vec4 shade_area{0};      ///< canopy shade texture: west, south, side in metres, strength
+  glm::vec4 weather{0};         ///< cloud 0..1, precipitation 0..1, fog 0..1, wetness of the ground 0..1
+  glm::vec4 wind{0};            ///< m/s to the east and to the north; z: seconds of animation
+  glm::vec4 snow{0};            ///< height of the snow line (m), half its spread (m), metres it lies lower on shaded slopes; w: 1 where there is any
 };
 inline constexpr unsigned frame_binding = 0;
 
@@ -48,5 +52,6 @@ class Frustum {
 /// Fills the camera's and the light's part.
 void set_view(FrameUniforms& frame, const Camera& camera, int width, int height, float near_plane, float far_plane);
 void set_light(FrameUniforms& frame, const Daylight& light, int month);
+void set_weather(FrameUniforms& frame, const Weather& weather, double seconds);
 
 }  // namespace biotope

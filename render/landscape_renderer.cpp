@@ -107,6 +107,7 @@ FrameUniforms LandscapeRenderer::State::frame(const Camera& camera, const Landsc
   FrameUniforms out;
   set_view(out, camera, width, height, near_plane, far_plane);
   set_light(out, light, options.month);
+  set_weather(out, options.weather, options.seconds);
   // Haze takes half the light over about 1.3 times the map's side, at most 9 km: far ridges are veiled but there.
   // From above one looks through thinner air at the whole of it.
   const float lifted = float(std::clamp(above / double(extent), 0.0, 1.0));

@@ -7,6 +7,7 @@
 #include "core/base/status.hpp"
 #include "core/pipeline/maps_snapshot.hpp"
 #include "render/camera.hpp"
+#include "render/weather.hpp"
 
 namespace biotope {
 
@@ -14,6 +15,9 @@ namespace biotope {
 struct LandscapeOptions {
   double hour = 10.5;  ///< local solar time
   int month = 5;       ///< 0 is January; default: early summer, late morning
+  Weather weather;
+  /// Time that moves leaves, waves, rain and clouds, s. The same time shows the same picture.
+  double seconds = 0;
   bool plants = true;
   bool animals = true;
   bool trails = true;

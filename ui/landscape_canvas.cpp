@@ -29,7 +29,7 @@ bool same_camera(const Camera& a, const Camera& b) {
 
 bool same_options(const LandscapeOptions& a, const LandscapeOptions& b) {
   return a.hour == b.hour && a.month == b.month && a.plants == b.plants && a.animals == b.animals && a.trails == b.trails &&
-         a.water == b.water && a.quality == b.quality && a.visible_species == b.visible_species && a.brush == b.brush;
+         a.water == b.water && a.quality == b.quality && a.weather == b.weather && a.seconds == b.seconds && a.visible_species == b.visible_species && a.brush == b.brush;
 }
 
 bool drawn_by_processor() {

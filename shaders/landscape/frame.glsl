@@ -15,4 +15,7 @@ layout(std140, binding = 0) uniform Frame {
   vec4 camera_up;
   vec4 camera_forward;
   vec4 shade_area;
+  vec4 weather;
+  vec4 wind;
+  vec4 snow;
 } frame;

@@ -46,9 +46,14 @@ TEST_CASE("a picture's size has two sides in pixels") {
 TEST_CASE("a camera is five numbers") {
   const auto camera = parse_camera("-10.5,200,1e3,270,-12");
   REQUIRE(camera);
-  CHECK(camera->position == glm::dvec3(-10.5, 200, 1000));
-  CHECK(camera->heading == 270);
-  CHECK(camera->pitch == -12);
+  CHECK(camera->camera.position == glm::dvec3(-10.5, 200, 1000));
+  CHECK(camera->camera.heading == 270);
+  CHECK(camera->camera.pitch == -12);
+  CHECK_FALSE(camera->above_ground);
+  const auto standing = parse_camera("10,20,+1.7,0,0");
+  REQUIRE(standing);
+  CHECK(standing->above_ground);
+  CHECK(standing->camera.position.z == 1.7);
   for (const char* wrong : {"", "1,2,3,4", "1,2,3,4,5,6", "1,2,x,4,5", "1,2,nan,4,5", "1,2,3,4,inf"}) {
     INFO(wrong);
     CHECK_FALSE(parse_camera(wrong));
