@@ -132,7 +132,9 @@ void add_render(CLI::App& program, RenderRequest& request) {
   CLI::App& command = *program.add_subcommand("render", "Compute a landscape and draw it in 3D");
   add_file(command, request.landscape.input);
   command.get_option("FILE")->required();
-  add_name(command, "--out", request.picture, "Picture to write", "PNG")->required();
+  add_name(command, "--out", request.picture, "Picture to write; with --path a folder, or a video that ends in .mp4", "PNG")->required();
+  add_name(command, "--path", request.path_file, "Camera path to fly along, written by the editor", "PATH.json");
+  add_parsed(command, "--fps", request.frames_a_second, number_within(1, 120), "Pictures a second along the path, 25 unless told", "N");
   add_parsed(command, "--size", request.size, parse_picture_size, "Pixels, 1280x720 unless told", "WxH");
   add_parsed(command, "--camera", request.view, parse_camera,
              "x,y,z,heading,pitch: metres from the south-west corner and above the sea (+z: the ground), degrees", "VIEW");

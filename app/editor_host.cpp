@@ -110,7 +110,7 @@ bool EditorHost::take_input() {
 
 void EditorHost::note_pointer(double x, double y) {
   input_ = true;
-  if (state_.path.held) state_.path.points.push_back({float(x), float(y)});
+  if (state_.path.held) state_.path.points.push_back({float(x), float(y), pen_.pressure()});
 }
 
 void EditorHost::note_left_button(bool down) {
@@ -119,7 +119,7 @@ void EditorHost::note_left_button(bool down) {
   glfwGetCursorPos(window_, &x, &y);
   if (down) state_.path.points.clear();
   state_.path.held = down;
-  state_.path.points.push_back({float(x), float(y)});
+  state_.path.points.push_back({float(x), float(y), pen_.pressure()});
 }
 
 void EditorHost::note_key(int key, int modifiers, bool repeat) {
@@ -141,7 +141,7 @@ bool EditorHost::should_close() {
   if (state_.wants_close) {
     state_.wants_close = false;
     input_ = true;
-    unless_unsaved(state_, [this](EditorState&) { close_agreed_ = true; });
+    unless_recording_unsaved(state_, [this](EditorState&) { unless_unsaved(state_, [this](EditorState&) { close_agreed_ = true; }); });
   }
   return close_agreed_ && !state_.saving.running();
 }

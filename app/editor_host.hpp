@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "app/pen.hpp"
 #include "ui/autosave.hpp"
 #include "ui/commands.hpp"
 #include "ui/editor_state.hpp"
@@ -53,6 +54,7 @@ class EditorHost {
 
   GLFWwindow* window_;
   EditorState state_;
+  Pen pen_;
   Theme theme_;
   CommandTable commands_;
   Autosave* autosave_ = nullptr;

@@ -2,16 +2,19 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <ostream>
 
 #include "app/command_line_progress.hpp"
 #include "app/command_line_signals.hpp"
 #include "app/solve_command.hpp"
+#include "core/exchange/atomic_file.hpp"
 #include "core/pipeline/solve.hpp"
 #include "render/image.hpp"
 #include "render/landscape_renderer.hpp"
 #include "render/offscreen_context.hpp"
+#include "ui/picture_export.hpp"
 
 namespace biotope {
 namespace {
@@ -41,6 +44,53 @@ Result<Image> picture_of(const std::shared_ptr<const MapsSnapshot>& snapshot, co
   return target.read();
 }
 
+/// A GL framebuffer has this many pixels a side at least; larger pictures are made in tiles.
+constexpr int largest_at_once = 4096;
+
+PictureOrder order_of(const std::shared_ptr<const MapsSnapshot>& snapshot, const RenderRequest& request, CameraPath path) {
+  PictureOrder order;
+  order.snapshot = snapshot;
+  order.options.hour = request.hour;
+  order.options.month = request.month - 1;
+  order.options.weather = request.weather;
+  order.options.seconds = request.seconds;
+  order.options.quality = float(request.quality);
+  order.camera = camera_of(*snapshot, request);
+  order.width = request.size.width;
+  order.height = request.size.height;
+  order.path = std::move(path);
+  order.frames_a_second = request.frames_a_second;
+  order.out = request.picture;
+  return order;
+}
+
+/// More than the longest path takes as text.
+constexpr std::size_t most_path_bytes = std::size_t(1) << 20;
+
+/// Carries out an order to its end.
+Status make_pictures(PictureOrder order, const TaskContext& task) {
+  PictureExporter exporter;
+  exporter.start(std::move(order));
+  while (exporter.running()) {
+    if (task.stopped()) {
+      exporter.cancel();
+      return fail("stopped");
+    }
+    task.report("drawing", exporter.fraction());
+    exporter.advance(0.25);
+    // Nothing to do while a file is written.
+    ::usleep(500);
+  }
+  return exporter.take_result().value_or(Status());
+}
+
+Result<CameraPath> path_of(const RenderRequest& request) {
+  if (request.path_file.empty()) return CameraPath();
+  const auto text = read_text(request.path_file, most_path_bytes);
+  if (!text) return tl::unexpected(text.error());
+  return parse_path_text(*text, request.path_file);
+}
+
 /// An Error when the picture could not be written, found before a long computation.
 Status check_picture(const std::filesystem::path& picture) {
   std::error_code error;
@@ -58,13 +108,30 @@ Status check_picture(const std::filesystem::path& picture) {
 }  // namespace
 
 Status write_picture(const std::shared_ptr<const MapsSnapshot>& snapshot, const RenderRequest& request) {
+  if (std::max(request.size.width, request.size.height) > largest_at_once) {
+    return make_pictures(order_of(snapshot, request, {}), {});
+  }
   const auto picture = picture_of(snapshot, request);
   if (!picture) return tl::unexpected(picture.error());
   return write_png(request.picture, *picture);
 }
 
 Status run_render(const RenderRequest& request, std::ostream& out, std::ostream& err) {
-  if (const Status writable = check_picture(request.picture); !writable) return writable;
+  auto path = path_of(request);
+  if (!path) return tl::unexpected(path.error());
+  const bool along_path = !request.path_file.empty();
+  if (along_path) {
+    // As far as it can be checked without a landscape.
+    PictureOrder order;
+    order.snapshot = std::make_shared<const MapsSnapshot>();
+    order.path = *path;
+    order.width = request.size.width;
+    order.height = request.size.height;
+    order.out = request.picture;
+    if (const Status possible = check_order(order); !possible) return possible;
+  } else if (const Status writable = check_picture(request.picture); !writable) {
+    return writable;
+  }
   // Before the computation, so that a machine that cannot draw says so at once.
   const auto context = OffscreenContext::create();
   if (!context) return tl::unexpected(context.error());
@@ -77,7 +144,8 @@ Status run_render(const RenderRequest& request, std::ostream& out, std::ostream&
   const auto snapshot = solve(*document, nullptr, task);
   if (!snapshot) return tl::unexpected(snapshot.error());
   task.report("drawing", 0);
-  if (Status written = write_picture(*snapshot, request); !written) return written;
+  Status written = along_path ? make_pictures(order_of(*snapshot, request, std::move(*path)), task) : write_picture(*snapshot, request);
+  if (!written) return written;
   progress.clear();
   if (!request.landscape.quiet) out << "Written to " << request.picture << std::endl;
   return {};

@@ -14,7 +14,11 @@ namespace biotope {
 
 struct RenderRequest {
   LandscapeRequest landscape;
+  /// PNG to write; with a path, the folder of its pictures, or an MP4.
   std::string picture;
+  /// JSON file with the camera's path; empty: one picture.
+  std::string path_file;
+  double frames_a_second = 25;
   PictureSize size;
   /// Where to look from; absent: the landscape's own first view.
   std::optional<ViewRequest> view;
@@ -28,7 +32,7 @@ struct RenderRequest {
 /// Draws a computed landscape into the request's picture; needs a current OpenGL context.
 [[nodiscard]] Status write_picture(const std::shared_ptr<const MapsSnapshot>& snapshot, const RenderRequest& request);
 
-/// Computes a landscape and draws it in 3D into a PNG; needs no display.
+/// Computes a landscape and draws it in 3D into a PNG, or along a path into many or a video; needs no display.
 [[nodiscard]] Status run_render(const RenderRequest& request, std::ostream& out, std::ostream& err);
 
 }  // namespace biotope

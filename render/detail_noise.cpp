@@ -37,17 +37,67 @@ float fractal(float u, float v, int period, int octaves, float gain, std::uint64
   return sum / weight;
 }
 
+/// What lies at a place of a field of rounded stones (or crowns, or tussocks): one in every cell of a lattice that repeats.
+struct Stone {
+  float height;  ///< 1 on top, 0 between stones
+  float tone;    ///< its own, 0..1
+};
+
+class StoneField {
+ public:
+  explicit StoneField(int period) : stones_(period, period) {
+    for (int y = 0; y < period; ++y) {
+      for (int x = 0; x < period; ++x) {
+        const auto part = [&](std::uint64_t what) {
+          return float(random_unit({0x73746f6e65ULL + what, std::uint64_t(x), std::uint64_t(y)}));
+        };
+        stones_(x, y) = {0.15F + 0.7F * part(0), 0.15F + 0.7F * part(1), 0.55F + 0.3F * part(2), part(3)};
+      }
+    }
+  }
+
+  /// x and y in lattice cells.
+  [[nodiscard]] Stone at(float x, float y) const {
+    const int period = stones_.width();
+    const int ix = int(std::floor(x));
+    const int iy = int(std::floor(y));
+    Stone best{0, 0.5F};
+    for (int cy = iy - 1; cy <= iy + 1; ++cy) {
+      for (int cx = ix - 1; cx <= ix + 1; ++cx) {
+        const Place& stone = stones_((cx + period) % period, (cy + period) % period);
+        const float away = std::hypot(x - float(cx) - stone.x, y - float(cy) - stone.y) / stone.radius;
+        const float height = std::sqrt(std::max(0.0F, 1 - away * away));
+        if (height > best.height) best = {height, stone.tone};
+      }
+    }
+    return best;
+  }
+
+ private:
+  struct Place {
+    float x, y, radius, tone;
+  };
+  Grid<Place> stones_;
+};
+
 /// Spreads values around one half and keeps them in 0..1.
 float contrast(float value, float by) { return std::clamp(0.5F + (value - 0.5F) * by, 0.0F, 1.0F); }
 
 }  // namespace
 
 Grid<Rgba> detail_noise(int side) {
+  constexpr int stones_a_side = 32;
+  const StoneField stones(stones_a_side);
   Grid<float> bumps(side, side);
+  Grid<float> tones(side, side);
   Grid<Rgba> out(side, side);
   parallel_rows(0, side, [&](int y) {
     for (int x = 0; x < side; ++x) {
-      bumps(x, y) = fractal(float(x) / float(side), float(y) / float(side), 16, 5, 0.62F, 0x62756d70ULL);
+      const float u = float(x) / float(side);
+      const float v = float(y) / float(side);
+      const Stone stone = stones.at(u * stones_a_side, v * stones_a_side);
+      bumps(x, y) = 0.75F * fractal(u, v, 16, 5, 0.62F, 0x62756d70ULL) + 0.10F * stone.height;
+      tones(x, y) = 0.62F * stone.height + 0.38F * stone.tone;
     }
   });
   parallel_rows(0, side, [&](int y) {
@@ -57,7 +107,7 @@ Grid<Rgba> detail_noise(int side) {
       const auto bump = [&](int cx, int cy) { return bumps((cx + side) % side, (cy + side) % side); };
       const float east = (bump(x + 1, y) - bump(x - 1, y)) * 4.5F;
       const float north = (bump(x, y - 1) - bump(x, y + 1)) * 4.5F;
-      const float grain = contrast(fractal(u, v, 32, 4, 0.8F, 0x677261696eULL), 2.6F);
+      const float grain = contrast(0.55F * fractal(u, v, 32, 4, 0.8F, 0x677261696eULL) + 0.45F * (tones(x, y) - 0.15F), 2.1F);
       const float cloud = contrast(fractal(u, v, 4, 6, 0.55F, 0x636c6f7564ULL), 1.9F);
       const auto code = [](float value) { return std::uint8_t(std::lround(std::clamp(value, 0.0F, 1.0F) * 255)); };
       out(x, y) = {code(0.5F + 0.5F * east), code(0.5F + 0.5F * north), code(grain), code(cloud)};

@@ -16,13 +16,13 @@ glm::vec3 linear(float r, float g, float b) {
 
 /// Colours of bare ground, our choice: earthy and a little desaturated.
 struct Palette {
-  glm::vec3 limestone = linear(0.64F, 0.62F, 0.57F);
+  glm::vec3 limestone = linear(0.57F, 0.555F, 0.51F);
   glm::vec3 marl = linear(0.47F, 0.41F, 0.32F);
-  glm::vec3 scree = linear(0.55F, 0.535F, 0.51F);
+  glm::vec3 scree = linear(0.50F, 0.485F, 0.455F);
   glm::vec3 alluvium = linear(0.53F, 0.49F, 0.41F);
   glm::vec3 bed = linear(0.36F, 0.35F, 0.29F);
   glm::vec3 moist_earth = linear(0.31F, 0.26F, 0.19F);
-  glm::vec3 dry_grass = linear(0.56F, 0.52F, 0.32F);
+  glm::vec3 dry_grass = linear(0.485F, 0.455F, 0.265F);
   glm::vec3 fresh_grass = linear(0.34F, 0.40F, 0.21F);
   glm::vec3 winter_grass = linear(0.48F, 0.44F, 0.31F);
   glm::vec3 forest_floor = linear(0.24F, 0.20F, 0.13F);
@@ -45,10 +45,11 @@ std::vector<PlantTint> plant_tints(const MapsSnapshot& snapshot, int month, cons
     if (!snapshot.cover[i] || (number < visible.size() && !visible[number])) continue;
     const PlantTraits& plant = snapshot.web->species[number].plant();
     const SeasonalFoliage foliage = seasonal_foliage(plant, month);
-    tints.push_back({snapshot.cover[i].get(),
-                     plant.stratum,
-                     {foliage.colour[0], foliage.colour[1], foliage.colour[2]},
-                     1 - 0.75F * foliage.bare});
+    // Bare crowns have the colour of twigs.
+    const glm::vec3 twigs(0.10F, 0.088F, 0.08F);
+    const glm::vec3 leaves(foliage.colour[0], foliage.colour[1], foliage.colour[2]);
+    tints.push_back(
+        {snapshot.cover[i].get(), plant.stratum, glm::mix(leaves, twigs, foliage.bare), 1 - 0.75F * foliage.bare});
   }
   return tints;
 }
@@ -131,7 +132,8 @@ class GroundPainter {
     glm::vec3 canopy(0);
     glm::vec3 herbs(0);
     float herb_cover = 0;
-    float tree_cover = 0;
+    glm::vec3 shrubs(0);
+    float shrub_cover = 0;
     float canopy_leaves = 0;
     for (const PlantTint& tint : tints_) {
       const float cover = cover_fraction((*tint.cover)(x, y));
@@ -139,10 +141,12 @@ class GroundPainter {
       if (tint.stratum == Stratum::herb) {
         herbs += cover * tint.colour;
         herb_cover += cover;
+      } else if (tint.stratum == Stratum::shrub) {
+        shrubs += cover * tint.colour;
+        shrub_cover += cover * tint.leafy;
       } else {
         canopy += cover * tint.colour;
         canopy_leaves += cover * tint.leafy;
-        tree_cover += cover * (tint.stratum == Stratum::tree ? 1.0F : 0.5F);
         cell.canopy_cover += cover;
       }
     }
@@ -152,10 +156,12 @@ class GroundPainter {
       cell.ground = glm::mix(cell.ground, glm::vec3(meadow[0], meadow[1], meadow[2]),
                              std::min(herb_cover, 1.0F) * 0.75F * (1 - 0.85F * cell.rock));
     }
-    cell.ground = glm::mix(cell.ground, palette_.forest_floor, 0.55F * std::min(tree_cover, 1.0F));
+    cell.ground = glm::mix(cell.ground, palette_.forest_floor, 0.55F * std::min(cell.canopy_cover, 1.0F));
+    // Shrubs are lost from sight sooner than trees: they colour the ground, half of it their shade.
+    if (shrub_cover > 0) cell.ground = glm::mix(cell.ground, shrubs / shrub_cover * 0.5F, 0.8F * std::min(shrub_cover, 1.0F));
     if (cell.canopy_cover <= 0) return;
     // Seen from afar a canopy is darker than its leaves: half of it is shade between crowns.
-    cell.canopy = canopy / cell.canopy_cover * 0.45F;
+    cell.canopy = canopy / cell.canopy_cover * 0.62F;
     cell.canopy_cover = std::min(1.0F, canopy_leaves);
   }
 
@@ -186,22 +192,32 @@ std::array<float, 3> meadow_colour(const std::array<float, 3>& leaf) {
 }
 
 SeasonalFoliage seasonal_foliage(const PlantTraits& plant, int month) {
-  const std::array<float, 3> leaf = linear_colour(plant.shape.leaf_colour);
-  const std::array<float, 3> autumn = linear_colour(plant.shape.autumn_colour);
   // Share of autumn colour and of fallen leaves by month, for the temperate northern hemisphere (our choice).
   constexpr std::array<float, 12> turning{1, 1, 0.6F, 0.15F, 0, 0, 0, 0.05F, 0.25F, 0.9F, 1, 1};
   constexpr std::array<float, 12> fallen{1, 1, 0.85F, 0.3F, 0, 0, 0, 0, 0, 0.25F, 0.8F, 1};
   const auto m = std::size_t(std::clamp(month, 0, 11));
   const bool herb = plant.stratum == Stratum::herb;
-  const float turn = plant.shape.evergreen ? 0.25F * turning[m] : turning[m];
-  // Young leaves of May are lighter than those of late summer.
-  const float young = month == 3 || month == 4 ? 1.12F : 1.0F;
-  SeasonalFoliage out;
-  for (std::size_t i = 0; i < 3; ++i) out.colour[i] = (leaf[i] + (autumn[i] - leaf[i]) * turn) * young;
+  // Young leaves of spring are lighter and yellower than those of late summer.
+  const bool young = m == 3 || m == 4;
+  const std::array<float, 3> light = !young ? std::array<float, 3>{1, 1, 1}
+                                     : plant.shape.evergreen ? std::array<float, 3>{1.06F, 1.06F, 1}
+                                                             : std::array<float, 3>{1.22F, 1.16F, 0.95F};
   // A crown is duller than a leaf: sky and twigs mix into it.
-  const float grey = 0.3F * out.colour[0] + 0.55F * out.colour[1] + 0.15F * out.colour[2];
-  constexpr std::array<float, 3> warm{1.1F, 1.0F, 0.8F};
-  for (std::size_t i = 0; i < 3; ++i) out.colour[i] += 0.22F * (grey * warm[i] - out.colour[i]);
+  const auto in_crown = [&](const std::array<float, 3>& srgb) {
+    std::array<float, 3> colour = linear_colour(srgb);
+    for (std::size_t i = 0; i < 3; ++i) colour[i] *= light[i];
+    const float grey = 0.3F * colour[0] + 0.55F * colour[1] + 0.15F * colour[2];
+    constexpr std::array<float, 3> warm{1.1F, 1.0F, 0.8F};
+    for (std::size_t i = 0; i < 3; ++i) colour[i] += 0.22F * (grey * warm[i] - colour[i]);
+    return colour;
+  };
+  SeasonalFoliage out;
+  out.fresh = in_crown(plant.shape.leaf_colour);
+  out.turned = in_crown(plant.shape.autumn_colour);
+  out.turn = plant.shape.evergreen ? 0.25F * turning[m] : turning[m];
+  // What comes out in April is new; last year's grass still stands.
+  if (!herb && m == 3) out.turn = 0;
+  for (std::size_t i = 0; i < 3; ++i) out.colour[i] = out.fresh[i] + (out.turned[i] - out.fresh[i]) * out.turn;
   out.bare = plant.shape.evergreen || herb ? 0.0F : fallen[m];
   return out;
 }

@@ -37,9 +37,13 @@ struct GroundColours {
 [[nodiscard]] GroundColours colour_ground(const MapsSnapshot& snapshot, int month, const SpeciesVisibility& visible, int stride,
                                           const Rect& rect);
 
-/// Leaf colour of a plant in a month, linear; `bare` (0..1) tells how much foliage has fallen.
+/// Leaf colour of a plant in a month, linear, between what it is before leaves turn and after; `turn` (0..1) tells how many have,
+/// `bare` (0..1) how many have fallen.
 struct SeasonalFoliage {
   std::array<float, 3> colour{};
+  std::array<float, 3> fresh{};
+  std::array<float, 3> turned{};
+  float turn = 0;
   float bare = 0;
 };
 [[nodiscard]] SeasonalFoliage seasonal_foliage(const PlantTraits& plant, int month);

@@ -7,6 +7,7 @@
 #include "render/changed_tiles.hpp"
 #include "render/plant_placement.hpp"
 #include "render/terrain_shadow.hpp"
+#include "render/water_flow.hpp"
 
 namespace biotope {
 
@@ -18,6 +19,8 @@ constexpr int longest_texture = 2048;
 constexpr int longest_lines = 2048;
 /// Longest side of the grid on which shadows are swept, cells.
 constexpr int longest_shadow = 1024;
+/// Longest side of the texture of currents, texels.
+constexpr int longest_currents = 1024;
 
 int stride_for(const Grid<float>& grid, int longest) {
   return std::max(1, (std::max(grid.width(), grid.height()) + longest - 1) / longest);
@@ -145,6 +148,15 @@ Grid<std::uint8_t> wet_squares(const Terrain& terrain, const ShoreMap& shore) {
   return squares;
 }
 
+/// How water moves; still where there is none.
+TexelPyramid<Rgba> currents_of(const Terrain& terrain, const Hydrology* hydrology) {
+  TexelPyramid<Rgba> out;
+  const Grid<Rgba> still(1, 1, Rgba{128, 128, 0, 0});
+  out.levels.push_back(shared_tiles<Rgba>(
+      hydrology != nullptr ? water_flow(terrain, *hydrology, stride_for(terrain.height, longest_currents)) : still, nullptr));
+  return out;
+}
+
 /// What PlantPlacement asks of trails, in tiles that are shared where it is the same.
 TiledMap<std::uint8_t> trodden_ground(const TrailNetwork* trails, const GroundLines* before) {
   if (trails == nullptr || trails->wear.empty()) return {};
@@ -163,12 +175,14 @@ std::shared_ptr<const GroundLines> make_lines(const MapsSnapshot& snapshot, cons
   if (before != nullptr && same_water) {
     out->shore = before->shore;
     out->near_water = before->near_water;
+    out->currents = before->currents;
   } else {
     const int scale = line_field_scale(terrain.height.width(), terrain.height.height(), longest_lines);
     out->shore = std::make_shared<const ShoreMap>(ShoreMap{
         scale, snapshot.hydrology ? shore_field(terrain, *snapshot.hydrology, scale)
                                   : Grid<std::uint8_t>(terrain.height.width() * scale, terrain.height.height() * scale, 0)});
     out->near_water = wet_squares(terrain, *out->shore);
+    out->currents = currents_of(terrain, snapshot.hydrology.get());
   }
   const Grid<std::uint8_t>& shore = out->shore->codes;
   const Grid<std::uint8_t> wear = snapshot.trails ? wear_field(terrain, *snapshot.trails, out->shore->scale)
@@ -234,6 +248,7 @@ std::shared_ptr<const GroundPicture> make_coarse_ground(const GroundRequest& req
   auto lines = std::make_shared<GroundLines>();
   lines->near_water = dry_squares(terrain);
   lines->lines.levels.push_back(shared_tiles<Rg>(Grid<Rg>(1, 1), nullptr));
+  lines->currents = currents_of(terrain, nullptr);
   picture->lines = std::move(lines);
   picture->tints = make_tints(request, strides.cells_a_texel(), nullptr);
   picture->light = make_light(request, *picture->shape);

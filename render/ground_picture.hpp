@@ -46,6 +46,7 @@ struct GroundLines {
   TexelPyramid<Rg> lines;  ///< shore and wear of a LineField
   /// 1 where trails leave no room for plants (by cell); empty without trails.
   TiledMap<std::uint8_t> trodden;
+  TexelPyramid<Rgba> currents;  ///< how the water moves: see water_flow()
 };
 
 struct GroundTints {

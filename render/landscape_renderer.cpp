@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/climate/snow_cover.hpp"
 #include "render/animal_renderer.hpp"
+#include "render/fall_renderer.hpp"
 #include "render/frame.hpp"
 #include "render/plant_renderer.hpp"
 #include "render/sky_renderer.hpp"
@@ -44,8 +46,12 @@ struct LandscapeRenderer::State {
   /// The ground the plants stand on.
   std::shared_ptr<const GroundPicture> planted;
   SkyRenderer sky;
+  FallRenderer fall;
   Buffer frame_buffer = make_buffer();
   LandscapeStatistics statistics;
+  /// Snow lines of a climate.
+  std::array<SnowLine, months> snow;
+  std::optional<Climate> snow_climate;
   bool ground_complete = false;
   bool plants_complete = true;
   /// bring_in() was called since the last draw.
@@ -55,6 +61,7 @@ struct LandscapeRenderer::State {
 
   FrameUniforms frame(const Camera& camera, const LandscapeOptions& options, const Daylight& light, int width, int height) const;
   void follow_ground();
+  void follow_animals();
   void draw_world(const Camera& camera, const LandscapeOptions& options, const Daylight& light, FrameUniforms& frame);
   void count(const DrawCount& drawn);
 };
@@ -77,12 +84,19 @@ Result<std::unique_ptr<LandscapeRenderer>> LandscapeRenderer::create() {
   auto sky = SkyRenderer::create();
   if (!sky) return tl::unexpected(sky.error());
   state.sky = std::move(*sky);
+  auto fall = FallRenderer::create();
+  if (!fall) return tl::unexpected(fall.error());
+  state.fall = std::move(*fall);
   return renderer;
 }
 
 void LandscapeRenderer::set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot) {
   if (!snapshot || !snapshot->surface() || snapshot->terrain().height.empty()) return;
   state_->snapshot = snapshot;
+  if (!state_->snow_climate || *state_->snow_climate != snapshot->document.climate) {
+    state_->snow_climate = snapshot->document.climate;
+    state_->snow = snow_lines(snapshot->document.climate);
+  }
   state_->terrain->set_snapshot(std::move(snapshot));
 }
 
@@ -96,24 +110,28 @@ void LandscapeRenderer::State::follow_ground() {
   planted = ground;
 }
 
+/// Animals drink where water is drawn.
+void LandscapeRenderer::State::follow_animals() {
+  const bool drawn = planted && planted->lines && planted->of.snapshot->hydrology == snapshot->hydrology && same_extent(planted->terrain(), snapshot->terrain());
+  animals->set_world(*snapshot, drawn ? planted->lines->shore : nullptr);
+}
+
 FrameUniforms LandscapeRenderer::State::frame(const Camera& camera, const LandscapeOptions& options, const Daylight& light,
                                               int width, int height) const {
   const Terrain& ground = snapshot->terrain();
   const glm::vec2 heights = terrain->ready() ? terrain->height_range() : glm::vec2(0, 1);
   const double above = camera.position.z - ground_height(ground, camera.position.x, camera.position.y);
   const float near_plane = std::clamp(float(above) * 0.2F, 0.3F, 25.0F);
-  const float extent = float(std::max(ground.width_metres(), ground.height_metres()));
-  const float far_plane = 4.5F * extent + float(std::abs(above)) + (heights.y - heights.x);
+  const AirLayer air{heights.x, heights.y, float(std::max(ground.width_metres(), ground.height_metres())), float(above)};
+  const float far_plane = 4.5F * air.extent + float(std::abs(above)) + (heights.y - heights.x);
   FrameUniforms out;
   set_view(out, camera, width, height, near_plane, far_plane);
-  set_light(out, light, options.month);
+  set_light(out, light, ground.latitude, options.month);
   set_weather(out, options.weather, options.seconds);
-  // Haze takes half the light over about 1.3 times the map's side, at most 9 km: far ridges are veiled but there.
-  // From above one looks through thinner air at the whole of it.
-  const float lifted = float(std::clamp(above / double(extent), 0.0, 1.0));
-  const float low = std::clamp(1.3F * extent, 2500.0F, 9000.0F);
-  const float clear = low + lifted * (std::max(3.5F * low, 3.0F * extent) - low);
-  out.fog = {0.693F / clear, 1.0F / std::max(300.0F, 1.2F * (heights.y - heights.x)), heights.x, options.quality};
+  set_air(out, options.weather, air);
+  const Climate& climate = snapshot->document.climate;
+  set_snow(out, snow[std::size_t(options.month)], snowfall_height(climate, options.month), ground.latitude, options.weather);
+  out.fog.w = options.quality;
   out.terrain = {float(ground.width_metres()), float(ground.height_metres()), float(ground.cell_size), heights.x};
   return out;
 }
@@ -147,6 +165,7 @@ void LandscapeRenderer::State::draw_world(const Camera& camera, const LandscapeO
     statistics.instance_bytes = plants->bytes();
   }
   count(terrain->draw(look, camera.position, frustum));
+  follow_animals();
   count(animals->draw(*snapshot, options, camera.position, frustum, terrain->surface(), statistics.animals));
 }
 
@@ -164,7 +183,7 @@ bool LandscapeRenderer::bring_in(const LandscapeOptions& options) {
 void LandscapeRenderer::draw(const Camera& camera, const LandscapeOptions& options, int width, int height) {
   State& state = *state_;
   state.statistics = {};
-  glViewport(0, 0, width, height);
+  glViewport(-options.corner.x, -options.corner.y, width, height);
   glDisable(GL_BLEND);
   glDisable(GL_SCISSOR_TEST);
   glEnable(GL_DEPTH_TEST);
@@ -176,7 +195,7 @@ void LandscapeRenderer::draw(const Camera& camera, const LandscapeOptions& optio
   if (!state.snapshot || width <= 0 || height <= 0) return;
 
   const Terrain& ground = state.snapshot->terrain();
-  const Daylight light = daylight(ground.latitude, options.month, options.hour);
+  const Daylight light = under(daylight(ground.latitude, options.month, options.hour), options.weather);
   if (!state.brought_in) bring_in(options);
   state.brought_in = false;
   state.drawn_ground = state.terrain->shown();
@@ -188,8 +207,9 @@ void LandscapeRenderer::draw(const Camera& camera, const LandscapeOptions& optio
     stream(state.frame_buffer, std::span<const FrameUniforms>(&frame, 1));
     glBindBufferBase(GL_UNIFORM_BUFFER, frame_binding, state.frame_buffer.name());
   }
-  state.sky.draw();
+  state.sky.draw(light.night, options.quality);
   state.count({1, 1});
+  if (const int quads = state.fall.draw(options.weather, options.quality); quads > 0) state.count({2, std::size_t(2 * quads)});
   glBindVertexArray(0);
 }
 
@@ -204,5 +224,13 @@ void LandscapeRenderer::finish_loading(const Camera& camera, const LandscapeOpti
 bool LandscapeRenderer::complete() const { return state_->ground_complete && state_->plants_complete; }
 
 const LandscapeStatistics& LandscapeRenderer::statistics() const { return state_->statistics; }
+
+std::span<const AnimalAt> LandscapeRenderer::animals() const { return state_->animals->drawn(); }
+
+std::optional<AnimalAt> LandscapeRenderer::animal(int plan, int member, double hour) {
+  if (!state_->snapshot || !state_->terrain->ready()) return std::nullopt;
+  state_->follow_animals();
+  return state_->animals->animal(*state_->snapshot, plan, member, hour, state_->terrain->surface());
+}
 
 }  // namespace biotope

@@ -2,10 +2,12 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/base/status.hpp"
 #include "core/pipeline/maps_snapshot.hpp"
+#include "render/animal_pick.hpp"
 #include "render/camera.hpp"
 #include "render/weather.hpp"
 
@@ -28,6 +30,9 @@ struct LandscapeOptions {
   std::vector<bool> visible_species;
   /// Brush ring on the ground: cell x, y, radius in cells.
   std::optional<glm::vec3> brush;
+  /// For pictures made in tiles: the pixel of the whole picture (which draw's width and height speak of) that is the lower left one of the
+  /// framebuffer.
+  glm::ivec2 corner{0};
 };
 
 struct LandscapeStatistics {
@@ -62,6 +67,11 @@ class LandscapeRenderer {
   /// False while ground or plants of the last view drawn are still being made: draw again soon.
   [[nodiscard]] bool complete() const;
   [[nodiscard]] const LandscapeStatistics& statistics() const;
+  /// The animals of the last draw(): those in the picture, as far as they can be told apart.
+  [[nodiscard]] std::span<const AnimalAt> animals() const;
+  /// Where an animal is at an hour, in the picture or not: what a camera that follows it needs before it draws. Nothing when there is no such
+  /// animal, or before the first picture of the ground.
+  [[nodiscard]] std::optional<AnimalAt> animal(int plan, int member, double hour);
 
  private:
   LandscapeRenderer();

@@ -1,8 +1,10 @@
 #include "render/line_field.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 #include "core/base/parallel.hpp"
@@ -68,16 +70,32 @@ Grid<float> standing_water(const Hydrology& hydrology) {
   return mask;
 }
 
-/// The line of a reach; every other cell is left out so that the staircase of D8 cells becomes a curve.
+/// The cell that a cell's water flows to; nothing where it leaves the map.
+std::optional<std::uint32_t> downstream(const Hydrology& hydrology, std::uint32_t cell) {
+  constexpr std::array<int, 8> east{1, 1, 0, -1, -1, -1, 0, 1};
+  constexpr std::array<int, 8> south{0, 1, 1, 1, 0, -1, -1, -1};
+  if (hydrology.receiver.empty() || hydrology.receiver[cell] >= 8) return std::nullopt;
+  const int width = hydrology.receiver.width();
+  const int x = int(cell) % width + east[hydrology.receiver[cell]];
+  const int y = int(cell) / width + south[hydrology.receiver[cell]];
+  if (!hydrology.receiver.contains(x, y)) return std::nullopt;
+  return std::uint32_t(hydrology.receiver.index(x, y));
+}
+
+/// The line of a reach, on to the junction or lake that it flows into; every other cell is left out so that the staircase of D8
+/// cells becomes a curve.
 std::vector<LinePoint> reach_line(const RiverReach& reach, const Hydrology& hydrology) {
   std::vector<LinePoint> line;
   const int width = hydrology.water.width();
+  const auto add = [&](std::uint32_t cell, float discharge) {
+    line.push_back(
+        {glm::vec2(float(int(cell) % width), float(int(cell) / width)), 0.5F * std::max(river_width(discharge), 0.7F)});
+  };
   for (std::size_t i = 0; i < reach.cells.size(); ++i) {
-    if (i % 2 == 1 && i + 1 != reach.cells.size()) continue;
-    const std::uint32_t cell = reach.cells[i];
-    const float across = river_width(hydrology.discharge[cell]);
-    line.push_back({glm::vec2(float(int(cell) % width), float(int(cell) / width)), 0.5F * std::max(across, 0.7F)});
+    if (i % 2 == 0 || i + 1 == reach.cells.size()) add(reach.cells[i], hydrology.discharge[reach.cells[i]]);
   }
+  if (reach.cells.empty()) return line;
+  if (const auto next = downstream(hydrology, reach.cells.back())) add(*next, hydrology.discharge[reach.cells.back()]);
   return smoothed(smoothed(line));
 }
 
@@ -99,9 +117,8 @@ Grid<std::uint8_t> shore_field(const Terrain& terrain, const Hydrology& hydrolog
   for (const RiverReach& reach : hydrology.reaches) {
     const std::vector<LinePoint> line = reach_line(reach, hydrology);
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-      along_segment(line[i], line[i + 1], width, height, scale, terrain.cell_size, shore_reach, [&](int x, int y, float inside) {
-        shore(x, y) = std::max(shore(x, y), shore_code(inside));
-      });
+      along_segment(line[i], line[i + 1], width, height, scale, terrain.cell_size, shore_reach,
+                    [&](int x, int y, float inside) { shore(x, y) = std::max(shore(x, y), shore_code(inside)); });
     }
   }
   return shore;

@@ -25,15 +25,28 @@ void PlantBlocks::set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot, std
   const std::shared_ptr<const GroundLines> lines_before = std::move(lines_);
   snapshot_ = std::move(snapshot);
   lines_ = std::move(lines);
-  placement_ = PlantPlacement(snapshot_, lines_ && snapshot_->hydrology ? lines_->shore : nullptr);
+  const bool eaten_otherwise = follow_grazing(before.get());
+  placement_ = PlantPlacement(snapshot_, lines_ && snapshot_->hydrology ? lines_->shore : nullptr, grazing_);
   const bool kept = before && same_extent(before->terrain(), snapshot_->terrain()) &&
                     before->document.seed == snapshot_->document.seed && same_plants(*before, *snapshot_) &&
                     before->cover.size() == snapshot_->cover.size();
   if (kept) {
     mark_changed(*before, lines_before.get());
+    for (auto& [place, block] : blocks_[std::size_t(Stratum::herb)]) block.stale = block.stale || eaten_otherwise;
   } else {
     blocks_ = {};
   }
+}
+
+bool PlantBlocks::follow_grazing(const MapsSnapshot* before) {
+  // Until the animals of an edit are known, herbs stay as those before it left them.
+  const bool known =
+      snapshot_->complete || !before || before->web != snapshot_->web || !same_extent(before->terrain(), snapshot_->terrain());
+  if (!known) return false;
+  auto now = std::make_shared<const Grazing>(*snapshot_);
+  if (grazing_ && now->same_as(*grazing_)) return false;
+  grazing_ = std::move(now);
+  return true;
 }
 
 void PlantBlocks::mark_changed(const MapsSnapshot& before, const GroundLines* lines_before) {
@@ -97,9 +110,10 @@ std::vector<std::pair<int, int>> PlantBlocks::missing(Stratum stratum, double x,
   return out;
 }
 
-void PlantBlocks::fill(Stratum stratum, std::pair<int, int> place, PlantBlock& block) const {
+void PlantBlocks::fill(Stratum stratum, std::pair<int, int> place, PlantBlock& block, std::uint32_t version) const {
   block.plants = placement_.block(stratum, place.second, place.first);
   block.stale = false;
+  block.version = version;
   if (block.plants.empty()) return;
   const auto [low, high] =
       std::minmax_element(block.plants.begin(), block.plants.end(), [](const auto& a, const auto& b) { return a.z < b.z; });
@@ -110,11 +124,22 @@ void PlantBlocks::fill(Stratum stratum, std::pair<int, int> place, PlantBlock& b
 bool PlantBlocks::build(Stratum stratum, double x, double y, float reach, std::chrono::steady_clock::time_point until) {
   if (!snapshot_) return true;
   const auto wanted = missing(stratum, x, y, reach);
+  float& whole_to = whole_to_[std::size_t(stratum)];
+  whole_to = reach;
   if (wanted.empty()) return true;
   drop_far(stratum, x, y, reach);
-  for (const auto& place : wanted) {
-    if (std::chrono::steady_clock::now() >= until) return false;
-    fill(stratum, place, blocks_[std::size_t(stratum)][place]);
+  Map& blocks = blocks_[std::size_t(stratum)];
+  for (auto place = wanted.begin(); place != wanted.end(); ++place) {
+    if (std::chrono::steady_clock::now() >= until) {
+      // Blocks that only changed still have their old plants.
+      const auto lacking = std::find_if(place, wanted.end(), [&](const auto& other) { return !blocks.contains(other); });
+      if (lacking == wanted.end()) return false;
+      const double side = PlantPlacement::block_side(stratum);
+      const double away = std::hypot((lacking->second + 0.5) * side - x, (lacking->first + 0.5) * side - y);
+      whole_to = float(std::clamp(away - side, 0.0, double(reach)));
+      return false;
+    }
+    fill(stratum, *place, blocks[*place], ++versions_);
   }
   return true;
 }
@@ -122,11 +147,13 @@ bool PlantBlocks::build(Stratum stratum, double x, double y, float reach, std::c
 void PlantBlocks::build_all(Stratum stratum, double x, double y, float reach) {
   if (!snapshot_) return;
   const auto wanted = missing(stratum, x, y, reach);
+  whole_to_[std::size_t(stratum)] = reach;
   drop_far(stratum, x, y, reach);
   std::vector<PlantBlock*> blocks;
   blocks.reserve(wanted.size());
   for (const auto& place : wanted) blocks.push_back(&blocks_[std::size_t(stratum)][place]);
-  parallel_each(wanted.size(), [&](std::size_t i) { fill(stratum, wanted[i], *blocks[i]); });
+  parallel_each(wanted.size(), [&](std::size_t i) { fill(stratum, wanted[i], *blocks[i], versions_ + 1 + std::uint32_t(i)); });
+  versions_ += std::uint32_t(wanted.size());
 }
 
 void PlantBlocks::drop_far(Stratum stratum, double x, double y, float reach) {

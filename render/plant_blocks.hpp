@@ -14,7 +14,10 @@ namespace biotope {
 
 /// Plants of one block, kept until the maps under it change.
 struct PlantBlock {
+  /// By rising rank: the first few stand for all where fewer are shown.
   std::vector<PlantInstance> plants;
+  /// Another number whenever the plants are made anew.
+  std::uint32_t version = 0;
   /// Lowest and highest foot, m.
   float low = 0;
   float high = 0;
@@ -37,20 +40,27 @@ class PlantBlocks {
   /// Blocks of a stratum by (row, column) that were built at least once.
   using Map = std::map<std::pair<int, int>, PlantBlock>;
   [[nodiscard]] const Map& blocks(Stratum stratum) const { return blocks_[std::size_t(stratum)]; }
+  /// Metres from the eye of the last build within which every block of a stratum was built at least once.
+  [[nodiscard]] float whole_to(Stratum stratum) const { return whole_to_[std::size_t(stratum)]; }
   [[nodiscard]] std::size_t bytes() const;
 
  private:
   [[nodiscard]] std::vector<std::pair<int, int>> missing(Stratum stratum, double x, double y, float reach) const;
-  void fill(Stratum stratum, std::pair<int, int> place, PlantBlock& block) const;
+  void fill(Stratum stratum, std::pair<int, int> place, PlantBlock& block, std::uint32_t version) const;
   void mark_changed(const MapsSnapshot& before, const GroundLines* lines_before);
   /// Makes the blocks stale that meet a tile of the terrain that is marked.
   void mark(const Grid<std::uint8_t>& tiles);
+  /// Takes over what is eaten of a snapshot whose animals are known. True when herbs must be placed anew.
+  bool follow_grazing(const MapsSnapshot* before);
   void drop_far(Stratum stratum, double x, double y, float reach);
 
   PlantPlacement placement_;
   std::shared_ptr<const MapsSnapshot> snapshot_;
   std::shared_ptr<const GroundLines> lines_;
+  std::shared_ptr<const Grazing> grazing_;
   std::array<Map, strata> blocks_;
+  std::uint32_t versions_ = 0;
+  std::array<float, strata> whole_to_{};
 };
 
 }  // namespace biotope

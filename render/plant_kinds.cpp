@@ -6,7 +6,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "render/plant_leaves.hpp"
-#include "render/plant_placement.hpp"
 
 namespace biotope {
 
@@ -23,28 +22,44 @@ glm::vec3 linear(const std::array<float, 3>& srgb) {
 
 /// Bark, our choice: white for birch, reddish for pines, else grey-brown.
 glm::vec3 wood_colour(const std::string& model) {
-  if (model == "birch") return linear({0.78F, 0.77F, 0.73F});
+  if (model == "birch") return linear({0.80F, 0.79F, 0.75F});
   if (model == "conifer" || model == "mountain-pine") return linear({0.44F, 0.33F, 0.26F});
   if (model == "alder") return linear({0.36F, 0.33F, 0.29F});
   return linear({0.40F, 0.35F, 0.30F});
 }
 
+/// Bark of the upper half: Scots pines and their like are orange there.
+glm::vec3 high_wood_colour(const PlantShape& shape) {
+  if (shape.model == "conifer" && shape.trunk_fraction > 0.25F) return linear({0.62F, 0.39F, 0.24F});
+  return wood_colour(shape.model);
+}
+
 Texture leaf_texture() {
   const std::vector<Grid<Rgba>> pictures = leaf_pictures();
-  Texture texture = make_texture_array(GL_RGBA8, leaf_picture_side, leaf_picture_side, int(pictures.size()), 0,
+  Texture texture = make_texture_array(GL_RGBA8, leaf_picture_side, leaf_picture_side, int(pictures.size()), 7,
                                        {GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_MIRRORED_REPEAT});
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    // Premultiplied, so that mipmaps do not draw in the colour of what is clear.
-    Grid<Rgba> texels = pictures[i];
-    for (Rgba& texel : texels.cells()) {
-      if (texel[3] == 0) texel = {0, 0, 0, 0};
+    const std::vector<Grid<Rgba>> levels = leaf_mipmaps(pictures[i]);
+    for (std::size_t level = 0; level < levels.size(); ++level) {
+      const Grid<Rgba>& texels = levels[level];
+      glTextureSubImage3D(texture.name(), GLint(level), 0, 0, GLint(i), texels.width(), texels.height(), 1, GL_RGBA,
+                          GL_UNSIGNED_BYTE, texels.cells().data());
     }
-    glTextureSubImage3D(texture.name(), 0, 0, 0, GLint(i), leaf_picture_side, leaf_picture_side, 1, GL_RGBA, GL_UNSIGNED_BYTE,
-                        texels.cells().data());
   }
-  glGenerateTextureMipmap(texture.name());
   return texture;
+}
+
+/// What the shaders know of all kinds: `Kinds` of shaders/landscape/plant_kinds.glsl.
+struct KindUniforms {
+  std::array<glm::vec4, most_plant_kinds> form{};
+  std::array<glm::vec4, most_plant_kinds> fresh{};
+  std::array<glm::vec4, most_plant_kinds> turned{};
+};
+
+glm::vec3 leaf_in_sward(const PlantKind& kind, const std::array<float, 3>& colour) {
+  const auto c = kind.stratum == Stratum::herb ? meadow_colour(colour) : colour;
+  return {c[0], c[1], c[2]};
 }
 
 }  // namespace
@@ -71,12 +86,13 @@ void instance_attributes(const VertexArray& array) {
   glVertexArrayBindingDivisor(array.name(), 1, 1);
 }
 
-void set_colours(const ShaderProgram& program, const PlantKind& kind) {
-  const auto leaf = kind.stratum == Stratum::herb ? meadow_colour(kind.foliage.colour) : kind.foliage.colour;
-  program.set("leaf_colour", glm::vec3(leaf[0], leaf[1], leaf[2]));
+void set_wood(const ShaderProgram& program, const PlantKind& kind) {
   program.set("wood_colour", wood_colour(kind.shape.model));
+  program.set("high_wood_colour", high_wood_colour(kind.shape));
+}
+
+void set_flowers(const ShaderProgram& program, const PlantKind& kind) {
   program.set("flower_colour", linear(kind.shape.flower_colour));
-  program.set("bare", kind.foliage.bare);
   program.set("bloom", kind.bloom);
 }
 
@@ -86,7 +102,7 @@ Result<PlantKinds> PlantKinds::create() {
   PlantKinds kinds;
   kinds.bake_ = std::move(*bake);
   kinds.leaves_ = leaf_texture();
-  kinds.extents_ = make_buffer();
+  kinds.uniforms_ = make_buffer();
   return kinds;
 }
 
@@ -94,23 +110,23 @@ void PlantKinds::set_web(const FoodWeb& web) {
   kinds_.clear();
   month_ = -1;
   if (web.levels.empty()) return;
-  std::vector<glm::vec4> extents(most_plant_kinds, glm::vec4(1));
   for (std::size_t i = 0; i < web.levels[0].size() && i < most_plant_kinds; ++i) {
     PlantKind kind;
     kind.species = web.levels[0][i];
     const PlantTraits& plant = web.species[std::size_t(kind.species)].plant();
     kind.stratum = plant.stratum;
     kind.shape = plant.shape;
-    const std::uint64_t seed = 0x6b696e64ULL + i;
-    const PlantMesh near = make_plant_mesh(plant.shape, PlantDetail::near, seed);
-    kind.extent = extent_of(near);
-    kind.near = upload(near);
-    kind.mid = upload(make_plant_mesh(plant.shape, PlantDetail::mid, seed));
-    extents[i] = {kind.extent.radius, kind.extent.height, plant.shape.trunk_fraction, 0.8F};
+    for (std::size_t model = 0; model < plant_models; ++model) {
+      const std::uint64_t seed = 0x6b696e64ULL + plant_models * i + model;
+      const PlantMesh near = make_plant_mesh(plant.shape, PlantDetail::near, seed);
+      const PlantExtent extent = extent_of(near);
+      kind.extent = {std::max(kind.extent.radius, extent.radius), std::max(kind.extent.height, extent.height)};
+      kind.near[model] = upload(near);
+      kind.mid[model] = upload(make_plant_mesh(plant.shape, PlantDetail::mid, seed));
+    }
     kinds_.push_back(std::move(kind));
   }
-  stream(extents_, std::span<const glm::vec4>(extents));
-  const auto layers = int(std::max<std::size_t>(1, kinds_.size())) * far_views;
+  const auto layers = int(std::max<std::size_t>(1, kinds_.size())) * plant_models * far_views;
   const Sampling smooth{GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE};
   // Mipmaps down to 4 texels: below that a plant is a dot, and species must not run into each other.
   far_pictures_ = make_texture_array(GL_RGBA8, picture_side(), picture_side(), layers, 6, smooth);
@@ -124,12 +140,40 @@ void PlantKinds::set_month(const FoodWeb& web, int month) {
   constexpr std::array<float, 12> bloom{0, 0, 0.05F, 0.2F, 0.4F, 0.42F, 0.32F, 0.2F, 0.1F, 0.03F, 0, 0};
   for (PlantKind& kind : kinds_) {
     kind.bloom = bloom[std::size_t(std::clamp(month, 0, 11))];
-    kind.foliage = seasonal_foliage(web.species[std::size_t(kind.species)].plant(), month);
+    const SeasonalFoliage foliage = seasonal_foliage(web.species[std::size_t(kind.species)].plant(), month);
+    // Many months look alike: their pictures stay.
+    kind.pictured = kind.pictured && foliage.colour == kind.foliage.colour && foliage.bare == kind.foliage.bare;
+    kind.foliage = foliage;
   }
+  upload_kinds();
   take_pictures();
 }
 
+bool PlantKinds::set_visible(const SpeciesVisibility& visible) {
+  if (visible == visible_) return false;
+  visible_ = visible;
+  upload_kinds();
+  return true;
+}
+
+void PlantKinds::upload_kinds() {
+  KindUniforms uniforms;
+  for (std::size_t i = 0; i < kinds_.size(); ++i) {
+    const PlantKind& kind = kinds_[i];
+    const auto number = std::size_t(kind.species);
+    const float shown = number >= visible_.size() || visible_[number] ? 1.0F : 0.0F;
+    // Half of the light comes through a bare crown.
+    const float dense = 0.8F * (1 - 0.5F * kind.foliage.bare);
+    uniforms.form[i] = {kind.extent.radius * shown, kind.extent.height, kind.shape.trunk_fraction, dense};
+    uniforms.fresh[i] = glm::vec4(leaf_in_sward(kind, kind.foliage.fresh), kind.foliage.bare);
+    uniforms.turned[i] = glm::vec4(leaf_in_sward(kind, kind.foliage.turned), kind.foliage.turn);
+  }
+  stream(uniforms_, std::span<const KindUniforms>(&uniforms, 1));
+}
+
 void PlantKinds::take_pictures() {
+  const auto waits = [](const PlantKind& kind) { return kind.stratum != Stratum::herb && !kind.pictured; };
+  if (std::none_of(kinds_.begin(), kinds_.end(), waits)) return;
   const DrawnElsewhere elsewhere(picture_side(), picture_side());
   const Framebuffer framebuffer = make_framebuffer();
   const Texture depth =
@@ -140,11 +184,16 @@ void PlantKinds::take_pictures() {
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer.name());
   glBindTextureUnit(leaves_unit, leaves_.name());
   bake_.use();
+  bind_kinds();
   for (std::size_t i = 0; i < kinds_.size(); ++i) {
-    if (kinds_[i].stratum == Stratum::herb) continue;
-    set_colours(bake_, kinds_[i]);
-    for (int view = 0; view < far_views; ++view) {
-      const GLint layer = GLint(i) * far_views + view;
+    if (kinds_[i].stratum == Stratum::herb || kinds_[i].pictured) continue;
+    kinds_[i].pictured = true;
+    set_wood(bake_, kinds_[i]);
+    const auto& leaf = kinds_[i].foliage.colour;
+    bake_.set("leaf_colour", glm::vec3(leaf[0], leaf[1], leaf[2]));
+    bake_.set("plant", int(i));
+    for (int picture = 0; picture < plant_models * far_views; ++picture) {
+      const GLint layer = GLint(i) * plant_models * far_views + picture;
       glNamedFramebufferTextureLayer(framebuffer.name(), GL_COLOR_ATTACHMENT0, far_pictures_.name(), 0, layer);
       glNamedFramebufferTextureLayer(framebuffer.name(), GL_COLOR_ATTACHMENT1, far_surfaces_.name(), 0, layer);
       constexpr std::array<float, 4> clear{0, 0, 0, 0};
@@ -152,14 +201,14 @@ void PlantKinds::take_pictures() {
       glClearNamedFramebufferfv(framebuffer.name(), GL_COLOR, 0, clear.data());
       glClearNamedFramebufferfv(framebuffer.name(), GL_COLOR, 1, clear.data());
       glClearNamedFramebufferfv(framebuffer.name(), GL_DEPTH, 0, &farthest);
-      take_picture(kinds_[i], elevations[std::size_t(view)]);
+      take_picture(kinds_[i], picture / far_views, elevations[std::size_t(picture % far_views)]);
     }
   }
   glGenerateTextureMipmap(far_pictures_.name());
   glGenerateTextureMipmap(far_surfaces_.name());
 }
 
-void PlantKinds::take_picture(const PlantKind& kind, float elevation) const {
+void PlantKinds::take_picture(const PlantKind& kind, int model, float elevation) const {
   const glm::vec3 toward(0, -std::cos(elevation), std::sin(elevation));
   const glm::vec3 right(1, 0, 0);
   const glm::vec3 up = glm::cross(toward, right);
@@ -172,15 +221,16 @@ void PlantKinds::take_picture(const PlantKind& kind, float elevation) const {
   bake_.set("right", right);
   bake_.set("up", up);
   bake_.set("toward", toward);
-  glBindVertexArray(kind.near.array.name());
-  glDrawElements(GL_TRIANGLES, kind.near.index_count, GL_UNSIGNED_SHORT, nullptr);
+  const PlantMeshBuffers& mesh = kind.near[std::size_t(model)];
+  glBindVertexArray(mesh.array.name());
+  glDrawElements(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_SHORT, nullptr);
 }
 
 void PlantKinds::bind() const {
   glBindTextureUnit(leaves_unit, leaves_.name());
   glBindTextureUnit(far_pictures_unit, far_pictures_.name());
   glBindTextureUnit(far_surfaces_unit, far_surfaces_.name());
-  glBindBufferBase(GL_UNIFORM_BUFFER, extents_binding, extents_.name());
+  bind_kinds();
 }
 
 }  // namespace biotope

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "render/gl_objects.hpp"
 #include "render/ground_maps.hpp"
 #include "render/plant_mesh.hpp"
+#include "render/plant_placement.hpp"
 #include "render/shader_program.hpp"
 
 namespace biotope {
@@ -14,8 +16,14 @@ namespace biotope {
 inline constexpr GLuint leaves_unit = 8;
 inline constexpr GLuint far_pictures_unit = 9;
 inline constexpr GLuint far_surfaces_unit = 10;
-/// Uniform block of every kind's extent.
-inline constexpr GLuint extents_binding = 1;
+/// Uniform block of what the shaders know of every kind.
+inline constexpr GLuint kinds_binding = 1;
+/// Models of each woody kind; which of them a plant is follows from its tint.
+inline constexpr int plant_models = 2;
+[[nodiscard]] inline int model_of(const PlantInstance& plant) {
+  const float scaled = plant.tint * 61.0F;
+  return int((scaled - std::floor(scaled)) * float(plant_models));
+}
 /// Most kinds of plants that are told apart; later ones look like the last.
 inline constexpr int most_plant_kinds = 256;
 
@@ -57,15 +65,18 @@ struct PlantKind {
   int species = 0;  ///< number in the web
   Stratum stratum = Stratum::herb;
   PlantShape shape;
-  PlantExtent extent;
-  PlantMeshBuffers near;
-  PlantMeshBuffers mid;
+  PlantExtent extent;  ///< of the larger of its models
+  std::array<PlantMeshBuffers, plant_models> near;
+  std::array<PlantMeshBuffers, plant_models> mid;
   SeasonalFoliage foliage;  ///< of the month drawn
   float bloom = 0;          ///< share of plants in flower
+  bool pictured = false;    ///< its far pictures show that foliage
 };
 
-/// Colours of a kind for the programs plant_mesh and plant_bake.
-void set_colours(const ShaderProgram& program, const PlantKind& kind);
+/// Colours of a kind's wood for the programs plant_mesh and plant_bake.
+void set_wood(const ShaderProgram& program, const PlantKind& kind);
+/// Flowers of a kind for the program plant_tuft.
+void set_flowers(const ShaderProgram& program, const PlantKind& kind);
 
 /// The plants of a web and their pictures from afar (impostors): every woody kind seen from three heights, as colour and as
 /// surface (normal and openness). Pictures are taken again when the month changes.
@@ -76,22 +87,28 @@ class PlantKinds {
   void set_web(const FoodWeb& web);
   /// Colours and pictures of a month.
   void set_month(const FoodWeb& web, int month);
+  /// Plants of other species are not drawn from afar and cast no shade. True when that is a change.
+  bool set_visible(const SpeciesVisibility& visible);
 
   [[nodiscard]] const std::vector<PlantKind>& kinds() const { return kinds_; }
-  /// Binds leaf pictures, far pictures and extents.
+  /// Binds leaf pictures, far pictures and what the shaders know of kinds.
   void bind() const;
+  /// Only the last of these.
+  void bind_kinds() const { glBindBufferBase(GL_UNIFORM_BUFFER, kinds_binding, uniforms_.name()); }
   [[nodiscard]] static int picture_side() { return 128; }
 
  private:
+  void upload_kinds();
   void take_pictures();
-  void take_picture(const PlantKind& kind, float elevation) const;
+  void take_picture(const PlantKind& kind, int model, float elevation) const;
 
   ShaderProgram bake_;
   Texture leaves_;
   Texture far_pictures_;
   Texture far_surfaces_;
-  Buffer extents_;
+  Buffer uniforms_;
   std::vector<PlantKind> kinds_;
+  SpeciesVisibility visible_;
   int month_ = -1;
 };
 

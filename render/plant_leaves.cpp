@@ -1,199 +1,174 @@
 #include "render/plant_leaves.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/glm.hpp>
-#include <glm/gtc/constants.hpp>
+#include <array>
 
-#include "core/base/random.hpp"
+#include "render/plant_leaf_canvas.hpp"
 
 namespace biotope {
 
 namespace {
 
-/// How a stroke is coloured.
-struct Ink {
-  float shade = 1;
-  float flower = 0;
-  float wood = 0;
-};
-
-/// Draws leaves and stalks on a card; coordinates are 0..1 with the foot at y = 0.
-class LeafCanvas {
- public:
-  explicit LeafCanvas(std::uint64_t what) : picture_(leaf_picture_side, leaf_picture_side, Rgba{128, 0, 0, 0}), what_(what) {}
-
-  float unit() { return float(random_unit({0x6c656166ULL, what_, drawn_++})); }
-  float between(float low, float high) { return low + (high - low) * unit(); }
-
-  /// A leaf: two arcs from stalk to tip, its widest part in the middle, one half a little darker than the other.
-  void leaf(const glm::vec2& from, const glm::vec2& to, float half_width, const Ink& ink) {
-    const glm::vec2 along = to - from;
-    const float length = glm::length(along);
-    if (length <= 0) return;
-    const glm::vec2 axis = along / length;
-    const glm::vec2 side(-axis.y, axis.x);
-    stamp(
-        glm::min(from, to) - half_width, glm::max(from, to) + half_width,
-        [&](const glm::vec2& p) {
-          const float t = glm::dot(p - from, axis) / length;
-          if (t < 0 || t > 1) return 0.0F;
-          const float across = glm::dot(p - from, side);
-          return std::abs(across) < half_width * std::sin(glm::pi<float>() * std::pow(t, 0.8F)) ? (across > 0 ? 1.0F : 0.84F)
-                                                                                                : 0.0F;
-        },
-        ink);
-  }
-
-  /// A tapering stroke.
-  void stroke(const glm::vec2& from, const glm::vec2& to, float half_from, float half_to, const Ink& ink) {
-    const glm::vec2 along = to - from;
-    const float length = glm::length(along);
-    if (length <= 0) return;
-    const glm::vec2 axis = along / length;
-    stamp(
-        glm::min(from, to) - half_from, glm::max(from, to) + half_from,
-        [&](const glm::vec2& p) {
-          const float t = glm::dot(p - from, axis) / length;
-          if (t < 0 || t > 1) return 0.0F;
-          return std::abs(axis.x * (p.y - from.y) - axis.y * (p.x - from.x)) < glm::mix(half_from, half_to, t) ? 1.0F : 0.0F;
-        },
-        ink);
-  }
-
-  void dot(const glm::vec2& centre, float radius, const Ink& ink) {
-    stamp(
-        centre - radius, centre + radius, [&](const glm::vec2& p) { return glm::distance(p, centre) < radius ? 1.0F : 0.0F; },
-        ink);
-  }
-
-  [[nodiscard]] Grid<Rgba> take() { return std::move(picture_); }
-
- private:
-  template <class Shape>
-  void stamp(const glm::vec2& low, const glm::vec2& high, const Shape& shape, const Ink& ink) {
-    const auto texel = [](float v) { return std::clamp(int(v * leaf_picture_side), 0, leaf_picture_side - 1); };
-    for (int y = texel(low.y); y <= texel(high.y); ++y) {
-      for (int x = texel(low.x); x <= texel(high.x); ++x) {
-        const float inside = shape((glm::vec2(x, y) + 0.5F) / float(leaf_picture_side));
-        if (inside <= 0) continue;
-        const auto code = [](float v) { return std::uint8_t(std::lround(std::clamp(v, 0.0F, 1.0F) * 255)); };
-        picture_(x, y) = {code(0.5F * ink.shade * inside), code(ink.flower), code(ink.wood), 255};
-      }
-    }
-  }
-
-  Grid<Rgba> picture_;
-  std::uint64_t what_;
-  std::uint64_t drawn_ = 0;
-};
-
 constexpr Ink twig{0.8F, 0, 1};
 
-/// Leaves around the ends of twigs, with gaps between the twigs so that the cluster stays ragged from afar. Those behind first
-/// and darker. `leaf_length` of the card's side.
-Grid<Rgba> cluster(int twigs, int leaves, float leaf_length, float slender, std::uint64_t what) {
-  LeafCanvas canvas(what);
-  std::vector<glm::vec2> ends;
-  for (int i = 0; i < twigs; ++i) {
-    const float turn = glm::radians(137.5F) * float(i) + canvas.between(-0.3F, 0.3F);
-    const float away = 0.36F * std::sqrt((float(i) + 0.6F) / float(twigs)) * canvas.between(0.85F, 1.1F);
-    ends.push_back(glm::vec2(0.5F) + away * glm::vec2(std::cos(turn), std::sin(turn)));
-    canvas.stroke({0.5F, 0.5F}, ends.back(), 0.012F, 0.006F, twig);
+/// A piece of a spray of twigs, and how far from its foot it begins (0..1).
+struct Shoot {
+  glm::vec2 from;
+  glm::vec2 to;
+  float half_width;
+};
+
+/// A twig that forks into a fan: what carries the leaves of a card, and all that is left of it in winter.
+std::vector<Shoot> spray(LeafCanvas& canvas, float spread) {
+  std::vector<Shoot> shoots;
+  constexpr int pieces = 7;
+  glm::vec2 at(0.5F, 0);
+  float heading = canvas.between(-0.1F, 0.1F);
+  for (int i = 0; i < pieces; ++i) {
+    const float t = float(i) / pieces;
+    const glm::vec2 next = at + 0.125F * glm::vec2(std::sin(heading), std::cos(heading));
+    shoots.push_back({at, next, 0.0075F - 0.004F * t});
+    for (const float side : {-1.0F, 1.0F}) {
+      if (i == 0) continue;
+      const float turn = heading + side * spread * canvas.between(0.75F, 1.2F);
+      const float length = (0.42F - 0.27F * t) * canvas.between(0.8F, 1.1F);
+      glm::vec2 foot = glm::mix(at, next, canvas.unit());
+      float bend = turn;
+      for (int piece = 0; piece < 3; ++piece) {
+        const glm::vec2 end = foot + length / 3 * glm::vec2(std::sin(bend), std::cos(bend));
+        shoots.push_back({foot, end, 0.0042F - 0.0007F * float(piece)});
+        for (const float lean : {-0.65F, 0.65F}) {
+          const float own = bend + lean * canvas.between(0.7F, 1.3F);
+          const float reach = length * canvas.between(0.22F, 0.4F);
+          shoots.push_back({end, end + reach * glm::vec2(std::sin(own), std::cos(own)), 0.0026F});
+        }
+        foot = end;
+        bend += canvas.between(-0.25F, 0.25F) - 0.1F * side;
+      }
+    }
+    at = next;
+    heading += canvas.between(-0.18F, 0.18F);
   }
-  for (int i = 0; i < leaves; ++i) {
-    const float back = float(i) / float(leaves);
-    const glm::vec2& end = ends[std::size_t(i) % ends.size()];
-    const float turn = canvas.between(0, glm::two_pi<float>());
-    const glm::vec2 at = end + 0.105F * std::sqrt(canvas.unit()) * glm::vec2(std::cos(turn), std::sin(turn));
-    const float lean = turn + canvas.between(-0.9F, 0.9F);
-    const glm::vec2 along = leaf_length * canvas.between(0.7F, 1.15F) * glm::vec2(std::cos(lean), std::sin(lean));
-    canvas.leaf(at - 0.3F * along, at + 0.7F * along, glm::length(along) * slender,
-                {0.52F + 0.5F * back + canvas.between(-0.12F, 0.2F), 0, 0});
+  return shoots;
+}
+
+/// Leaves along the shoots of a spray; those behind first and darker. `leaf_length` of the card's side.
+Grid<Rgba> leafy(int leaves, float leaf_length, float slender, float spread, float hang, std::uint64_t what) {
+  LeafCanvas canvas(what);
+  const std::vector<Shoot> shoots = spray(canvas, spread);
+  const auto draw_leaves = [&](int count, float dark, float light) {
+    for (int i = 0; i < count; ++i) {
+      const Shoot& shoot = shoots[std::size_t(canvas.unit() * float(shoots.size())) % shoots.size()];
+      const glm::vec2 at = glm::mix(shoot.from, shoot.to, 0.3F + 0.7F * canvas.unit());
+      const glm::vec2 along = shoot.to - shoot.from;
+      const float own = std::atan2(along.x, along.y) * (1 - hang) + canvas.between(-1.25F, 1.25F);
+      const glm::vec2 leaf = leaf_length * canvas.between(0.7F, 1.15F) * glm::vec2(std::sin(own), std::cos(own));
+      canvas.leaf(at, at + leaf, glm::length(leaf) * slender, {canvas.between(dark, light), 0, 0});
+    }
+  };
+  draw_leaves(leaves / 3, 0.42F, 0.66F);
+  for (const Shoot& shoot : shoots) {
+    if (shoot.half_width > 0.0035F) canvas.stroke(shoot.from, shoot.to, shoot.half_width, shoot.half_width * 0.8F, twig);
+  }
+  draw_leaves(leaves - leaves / 3, 0.74F, 1.22F);
+  return canvas.take();
+}
+
+/// What is left of a spray in winter.
+Grid<Rgba> bare_twigs() {
+  LeafCanvas canvas(8);
+  for (const Shoot& shoot : spray(canvas, 0.75F)) {
+    canvas.stroke(shoot.from, shoot.to, shoot.half_width, shoot.half_width * 0.75F, {canvas.between(0.75F, 1.05F), 0, 1});
   }
   return canvas.take();
 }
 
-/// Tufts of long needles around twigs.
+/// Brushes of long needles at the ends of a fan of twigs.
 Grid<Rgba> needle_tufts() {
   LeafCanvas canvas(3);
-  constexpr int tufts = 24;
+  constexpr int tufts = 26;
   for (int tuft = 0; tuft < tufts; ++tuft) {
     const float turn = glm::radians(137.5F) * float(tuft);
-    const float away = 0.34F * std::sqrt((float(tuft) + 0.5F) / tufts);
-    const glm::vec2 at = glm::vec2(0.5F) + 1.1F * away * glm::vec2(std::cos(turn), std::sin(turn));
-    const float shade = 0.66F + 0.016F * float(tufts - tuft) + canvas.between(-0.06F, 0.1F);
-    for (int needle = 0; needle < 20; ++needle) {
-      const float direction = canvas.between(0, glm::two_pi<float>());
-      const float length = canvas.between(0.045F, 0.085F);
-      canvas.stroke(at, at + length * glm::vec2(std::cos(direction), std::sin(direction)), 0.0075F, 0.0045F,
-                    {shade * canvas.between(0.75F, 1.25F), 0, 0});
+    const float away = 0.40F * std::sqrt((float(tuft) + 0.5F) / tufts);
+    const glm::vec2 at = glm::vec2(0.5F) + away * glm::vec2(std::cos(turn), std::sin(turn));
+    const float shade = 0.6F + 0.018F * float(tufts - tuft) + canvas.between(-0.08F, 0.12F);
+    canvas.stroke({0.5F, 0.35F}, at, 0.006F, 0.004F, {0.6F, 0, 1});
+    for (int needle = 0; needle < 34; ++needle) {
+      // They stand up and outward more than down.
+      const float direction = turn + canvas.between(-1.9F, 1.9F);
+      const float length = canvas.between(0.055F, 0.105F);
+      canvas.stroke(at, at + length * glm::vec2(std::cos(direction), std::sin(direction) + 0.25F), 0.0045F, 0.0025F,
+                    {shade * canvas.between(0.7F, 1.35F), 0, 0});
     }
   }
   return canvas.take();
 }
 
-/// A flat bough, foot at y = 0, broad then pointed, twigs slanting to its tip.
+/// A flat bough, foot at y = 0, broad then pointed, combs of needles along side twigs that slant to its tip.
 Grid<Rgba> bough() {
   LeafCanvas canvas(4);
-  canvas.stroke({0.5F, 0}, {0.5F, 0.9F}, 0.016F, 0.006F, twig);
-  constexpr int twigs = 15;
+  canvas.stroke({0.5F, 0}, {0.5F, 0.92F}, 0.009F, 0.004F, twig);
+  constexpr int twigs = 17;
   for (int i = 0; i < twigs; ++i) {
     const float t = (float(i) + 0.4F) / twigs;
     for (const float side : {-1.0F, 1.0F}) {
-      const glm::vec2 at(0.5F, 0.9F * t);
+      const glm::vec2 at(0.5F, 0.93F * t);
       const float length =
-          (0.46F * std::sin(glm::pi<float>() * std::pow(0.12F + 0.86F * t, 0.7F)) + 0.06F) * canvas.between(0.8F, 1.05F);
-      const glm::vec2 along = length * glm::normalize(glm::vec2(side, 0.55F + 0.5F * t));
-      const float shade = canvas.between(0.72F, 1.14F);
-      canvas.stroke(at, at + along, 0.028F, 0.01F, {shade, 0, 0});
-      for (int needle = 0; needle < 9; ++needle) {
-        const glm::vec2 foot = at + along * (float(needle) + 0.5F) / 9.0F;
+          (0.44F * std::sin(glm::pi<float>() * std::pow(0.10F + 0.88F * t, 0.75F)) + 0.05F) * canvas.between(0.72F, 1.08F);
+      const glm::vec2 along = length * glm::normalize(glm::vec2(side, 0.5F + 0.55F * t + canvas.between(-0.1F, 0.1F)));
+      const float shade = canvas.between(0.66F, 1.12F);
+      canvas.stroke(at, at + along, 0.011F, 0.005F, {0.8F * shade, 0, 0});
+      const int combs = 6 + int(26 * length / 0.45F);
+      for (int needle = 0; needle < combs; ++needle) {
+        const glm::vec2 foot = at + along * (float(needle) + 0.5F) / float(combs);
         for (const float lean : {-1.0F, 1.0F}) {
-          const glm::vec2 out = glm::normalize(along) + 0.8F * lean * glm::normalize(glm::vec2(-along.y, along.x));
-          canvas.stroke(foot, foot + 0.05F * glm::normalize(out), 0.008F, 0.004F, {shade * canvas.between(0.85F, 1.2F), 0, 0});
+          const glm::vec2 out = glm::normalize(along) + 0.9F * lean * glm::normalize(glm::vec2(-along.y, along.x));
+          canvas.stroke(foot, foot + canvas.between(0.03F, 0.048F) * glm::normalize(out), 0.0042F, 0.0024F,
+                        {shade * canvas.between(0.8F, 1.3F), 0, 0});
         }
       }
     }
   }
-  for (int needle = 0; needle < 10; ++needle) {
-    canvas.stroke({0.5F, 0.86F}, {0.5F + canvas.between(-0.05F, 0.05F), 0.98F}, 0.01F, 0.004F, {1, 0, 0});
+  for (int needle = 0; needle < 16; ++needle) {
+    canvas.stroke({0.5F, 0.88F}, {0.5F + canvas.between(-0.05F, 0.05F), 0.99F}, 0.006F, 0.003F, {1, 0, 0});
   }
   return canvas.take();
 }
 
-/// Blades of grass that bend away from the foot.
+/// A strip of meadow from the side: blades of all heights that bend over, dark at the root and light at the tip.
 Grid<Rgba> blades() {
   LeafCanvas canvas(5);
-  for (int i = 0; i < 46; ++i) {
-    const float foot = canvas.between(0.30F, 0.70F);
-    const float lean = canvas.between(-0.34F, 0.34F) + 0.5F * (foot - 0.5F);
-    const float height = canvas.between(0.45F, 0.98F) * (1 - 0.5F * std::abs(lean));
+  constexpr int count = 130;
+  for (int i = 0; i < count; ++i) {
+    const float back = float(i) / count;
+    const float foot = canvas.between(0.06F, 0.94F);
+    const float lean = canvas.between(-0.24F, 0.24F);
+    const float edge = 1 - 0.55F * std::pow(std::abs(2 * foot - 1), 3.0F);
+    const float height = (0.28F + 0.68F * std::pow(canvas.unit(), 1.6F)) * edge;
     glm::vec2 before(foot, 0);
-    const float shade = canvas.between(0.75F, 1.25F);
+    const float shade = 0.78F + 0.3F * back + canvas.between(-0.16F, 0.16F);
     constexpr int pieces = 6;
     for (int p = 1; p <= pieces; ++p) {
       const float t = float(p) / pieces;
-      const glm::vec2 at(std::clamp(foot + lean * t * t, 0.02F, 0.98F), height * (t - 0.12F * t * t * t));
-      canvas.stroke(before, at + (at - before) * 0.15F, 0.013F * (1 - 0.85F * (t - 1.0F / pieces)), 0.013F * (1 - 0.85F * t),
-                    {shade * (0.62F + 0.45F * t), 0, 0});
+      const glm::vec2 at(std::clamp(foot + lean * t * t, 0.01F, 0.99F), height * (t - 0.14F * t * t * t));
+      canvas.stroke(before, at + (at - before) * 0.15F, 0.0065F * (1 - 0.8F * (t - 1.0F / pieces)), 0.0065F * (1 - 0.8F * t),
+                    {shade * (0.72F + 0.34F * t), 0, 0});
       before = at;
     }
   }
   return canvas.take();
 }
 
-/// Leaves from the ground that spread and bend: a herb seen from the side.
+/// Leaves from the ground that spread and bend: herbs seen from the side.
 Grid<Rgba> rosette() {
   LeafCanvas canvas(6);
-  for (int i = 0; i < 26; ++i) {
-    const float foot = canvas.between(0.38F, 0.62F);
-    const float lean = canvas.between(-0.9F, 0.9F);
-    const float length = canvas.between(0.4F, 0.9F);
-    const glm::vec2 from(foot + 0.1F * lean, canvas.between(0, 0.22F));
-    const glm::vec2 to = from + length * glm::vec2(0.52F * lean, 1 - 0.6F * std::abs(lean));
+  for (int i = 0; i < 70; ++i) {
+    const float foot = canvas.between(0.2F, 0.8F);
+    const float lean = canvas.between(-1.0F, 1.0F);
+    const float length = canvas.between(0.25F, 0.8F);
+    const glm::vec2 from(foot, canvas.between(0, 0.3F));
+    const glm::vec2 to = from + length * glm::vec2(0.4F * lean, 1 - 0.55F * std::abs(lean));
     const glm::vec2 tip = glm::clamp(to, glm::vec2(0.02F), glm::vec2(0.98F));
-    canvas.leaf(from, tip, 0.055F, {canvas.between(0.7F, 1.2F) * (0.7F + 0.4F * tip.y), 0, 0});
+    canvas.leaf(from, tip, 0.028F, {canvas.between(0.75F, 1.2F) * (0.55F + 0.55F * tip.y), 0, 0});
   }
   return canvas.take();
 }
@@ -201,72 +176,155 @@ Grid<Rgba> rosette() {
 /// Upright stalks with a few leaves and a flower head each.
 Grid<Rgba> flowers() {
   LeafCanvas canvas(7);
-  for (int i = 0; i < 6; ++i) {
-    const float foot = canvas.between(0.42F, 0.58F);
-    const glm::vec2 head(0.5F + canvas.between(-0.36F, 0.36F), canvas.between(0.66F, 0.92F));
-    canvas.stroke({foot, 0}, head, 0.011F, 0.008F, {0.85F, 0, 0});
-    const glm::vec2 at = glm::mix(glm::vec2(foot, 0), head, 0.55F);
-    canvas.leaf(at, at + glm::vec2(canvas.between(-0.14F, 0.14F), 0.1F), 0.018F, {0.95F, 0, 0});
-    for (int petal = 0; petal < 8; ++petal) {
+  for (int i = 0; i < 11; ++i) {
+    const float foot = canvas.between(0.2F, 0.8F);
+    const glm::vec2 head(std::clamp(foot + canvas.between(-0.2F, 0.2F), 0.06F, 0.94F), canvas.between(0.5F, 0.93F));
+    canvas.stroke({foot, 0}, head, 0.006F, 0.0045F, {0.8F, 0, 0});
+    const glm::vec2 at = glm::mix(glm::vec2(foot, 0), head, 0.5F);
+    canvas.leaf(at, at + glm::vec2(canvas.between(-0.1F, 0.1F), 0.08F), 0.011F, {0.95F, 0, 0});
+    for (int petal = 0; petal < 12; ++petal) {
       const float turn = canvas.between(0, glm::two_pi<float>());
-      const glm::vec2 off = canvas.between(0.005F, 0.04F) * glm::vec2(std::cos(turn), 0.5F * std::sin(turn));
-      canvas.dot(head + off, 0.014F, {canvas.between(0.85F, 1.15F), 1, 0});
+      const glm::vec2 off = canvas.between(0.005F, 0.034F) * glm::vec2(std::cos(turn), 0.5F * std::sin(turn));
+      canvas.dot(head + off, 0.0115F, {canvas.between(0.8F, 1.15F), 1, 0});
     }
   }
   return canvas.take();
 }
 
-/// What is left of a cluster in winter: a spray of twigs that fork twice.
-Grid<Rgba> bare_twigs() {
-  LeafCanvas canvas(8);
-  for (int i = 0; i < 9; ++i) {
-    const float turn = glm::two_pi<float>() * (float(i) + canvas.between(-0.35F, 0.35F)) / 9;
-    const glm::vec2 fork = glm::vec2(0.5F) + canvas.between(0.16F, 0.24F) * glm::vec2(std::cos(turn), std::sin(turn));
-    canvas.stroke({0.5F, 0.5F}, fork, 0.014F, 0.011F, twig);
-    for (const float lean : {-0.8F, -0.3F, 0.15F, 0.7F}) {
-      const float end = turn + lean + canvas.between(-0.2F, 0.2F);
-      const glm::vec2 tip = fork + canvas.between(0.14F, 0.24F) * glm::vec2(std::cos(end), std::sin(end));
-      canvas.stroke(fork, tip, 0.011F, 0.007F, {canvas.between(0.7F, 1.05F), 0, 1});
-    }
+/// One flower head from above: florets in a spiral, a darker heart.
+Grid<Rgba> flower_head() {
+  LeafCanvas canvas(9);
+  constexpr int petals = 21;
+  for (int i = 0; i < petals; ++i) {
+    const float turn = glm::radians(137.5F) * float(i);
+    const glm::vec2 out(std::cos(turn), std::sin(turn));
+    canvas.leaf(glm::vec2(0.5F) + 0.08F * out, glm::vec2(0.5F) + canvas.between(0.36F, 0.48F) * out, 0.06F,
+                {canvas.between(0.82F, 1.12F), 1, 0});
+  }
+  for (int i = 0; i < 26; ++i) {
+    const float turn = glm::radians(137.5F) * float(i);
+    const glm::vec2 out(std::cos(turn), std::sin(turn));
+    canvas.dot(glm::vec2(0.5F) + 0.022F * std::sqrt(float(i)) * out, 0.022F, {canvas.between(0.5F, 0.75F), 0.9F, 0});
   }
   return canvas.take();
 }
 
-/// Bark: all covered, furrowed along the stem.
-Grid<Rgba> bark() {
+/// Smooth noise 0..1 on a unit lattice.
+float lattice_noise(float x, float y, std::uint64_t what) {
+  const int ix = int(std::floor(x));
+  const int iy = int(std::floor(y));
+  const auto at = [&](int cx, int cy) { return float(random_unit({what, std::uint64_t(cx), std::uint64_t(cy)})); };
+  const float fx = glm::smoothstep(0.0F, 1.0F, x - float(ix));
+  const float fy = glm::smoothstep(0.0F, 1.0F, y - float(iy));
+  return glm::mix(glm::mix(at(ix, iy), at(ix + 1, iy), fx), glm::mix(at(ix, iy + 1), at(ix + 1, iy + 1), fx), fy);
+}
+
+/// Bark: all covered, furrowed along the stem; `smooth` bark has dark bands across instead.
+Grid<Rgba> bark(bool smooth) {
   Grid<Rgba> picture(leaf_picture_side, leaf_picture_side);
-  // Smooth noise on lattices that are much longer than wide.
-  const auto furrow = [](float x, float y, std::uint64_t what) {
-    const int ix = int(std::floor(x));
-    const int iy = int(std::floor(y));
-    const auto at = [&](int cx, int cy) { return float(random_unit({what, std::uint64_t(cx), std::uint64_t(cy)})); };
-    const float fx = glm::smoothstep(0.0F, 1.0F, x - float(ix));
-    const float fy = glm::smoothstep(0.0F, 1.0F, y - float(iy));
-    return glm::mix(glm::mix(at(ix, iy), at(ix + 1, iy), fx), glm::mix(at(ix, iy + 1), at(ix + 1, iy + 1), fx), fy);
-  };
   for (int y = 0; y < leaf_picture_side; ++y) {
     for (int x = 0; x < leaf_picture_side; ++x) {
-      const float value = 0.62F + 0.5F * furrow(float(x) / 4, float(y) / 22, 0x6261726bULL) +
-                          0.25F * furrow(float(x) / 2, float(y) / 5, 0x6261726cULL);
-      picture(x, y) = {std::uint8_t(std::lround(std::min(255.0F, 128 * value))), 0, 255, 255};
+      float value = 0;
+      if (smooth) {
+        const float band = lattice_noise(float(x) / 34, float(y) / 7, 0x6269726bULL);
+        const float scar = lattice_noise(float(x) / 60, float(y) / 30, 0x6269726cULL);
+        value = 1.0F - 0.62F * glm::smoothstep(0.72F, 0.82F, band) - 0.75F * glm::smoothstep(0.8F, 0.88F, scar) +
+                0.12F * lattice_noise(float(x) / 3, float(y) / 3, 0x6269726dULL);
+      } else {
+        const float furrow = lattice_noise(float(x) / 7, float(y) / 44, 0x6261726bULL);
+        value = 0.45F + 0.75F * std::abs(2 * furrow - 1) + 0.25F * lattice_noise(float(x) / 3, float(y) / 9, 0x6261726cULL);
+      }
+      picture(x, y) = {std::uint8_t(std::lround(std::clamp(128 * value, 0.0F, 255.0F))), 0, 255, 255};
     }
   }
   return picture;
 }
 
+/// Half the size, colours weighted by coverage.
+Grid<Rgba> halved(const Grid<Rgba>& picture) {
+  Grid<Rgba> out(picture.width() / 2, picture.height() / 2);
+  for (int y = 0; y < out.height(); ++y) {
+    for (int x = 0; x < out.width(); ++x) {
+      std::array<int, 3> colour{};
+      int covered = 0;
+      for (int i = 0; i < 4; ++i) {
+        const Rgba& texel = picture(2 * x + i % 2, 2 * y + i / 2);
+        // Holes weigh a little, so that their colour is defined too.
+        const int weight = 16 * int(texel[3]) + 1;
+        covered += texel[3];
+        for (std::size_t c = 0; c < 3; ++c) colour[c] += weight * int(texel[c]);
+      }
+      const int weights = 16 * covered + 4;
+      Rgba& texel = out(x, y);
+      for (std::size_t c = 0; c < 3; ++c) texel[c] = std::uint8_t(colour[c] / weights);
+      texel[3] = std::uint8_t((covered + 2) / 4);
+    }
+  }
+  return out;
+}
+
+double share_above(const Grid<Rgba>& picture, double threshold) {
+  std::size_t count = 0;
+  for (const Rgba& texel : picture.cells()) count += texel[3] >= threshold ? 1 : 0;
+  return double(count) / double(picture.size());
+}
+
+/// Scales coverage so that `share` of the texels pass an alpha test at one half.
+void keep_share(Grid<Rgba>& picture, double share) {
+  double low = 1;
+  double high = 255;
+  for (int step = 0; step < 12; ++step) {
+    const double middle = 0.5 * (low + high);
+    (share_above(picture, middle) > share ? low : high) = middle;
+  }
+  for (Rgba& texel : picture.cells()) texel[3] = std::uint8_t(std::min(255.0, double(texel[3]) * 128 / high + 0.5));
+}
+
+/// Gives holes the mean colour of what is covered.
+void fill_holes(Grid<Rgba>& picture) {
+  std::array<double, 3> mean{};
+  double covered = 1e-9;
+  for (const Rgba& texel : picture.cells()) {
+    if (texel[3] == 0) continue;
+    ++covered;
+    for (std::size_t c = 0; c < 3; ++c) mean[c] += texel[c];
+  }
+  for (Rgba& texel : picture.cells()) {
+    if (texel[3] != 0) continue;
+    for (std::size_t c = 0; c < 3; ++c) texel[c] = std::uint8_t(mean[c] / covered);
+  }
+}
+
 }  // namespace
+
+std::vector<Grid<Rgba>> leaf_mipmaps(const Grid<Rgba>& picture) {
+  std::vector<Grid<Rgba>> levels{picture};
+  fill_holes(levels.front());
+  const double share = share_above(picture, 128);
+  std::vector<Grid<Rgba>> plain{levels.front()};
+  while (plain.back().width() > 4) {
+    plain.push_back(halved(plain.back()));
+    levels.push_back(plain.back());
+    keep_share(levels.back(), share);
+  }
+  return levels;
+}
 
 std::vector<Grid<Rgba>> leaf_pictures() {
   std::vector<Grid<Rgba>> pictures(leaf_picture_count);
-  pictures[std::size_t(LeafPicture::bark)] = bark();
-  pictures[std::size_t(LeafPicture::broad)] = cluster(9, 78, 0.125F, 0.27F, 1);
-  pictures[std::size_t(LeafPicture::small)] = cluster(11, 120, 0.085F, 0.30F, 2);
-  pictures[std::size_t(LeafPicture::needles)] = needle_tufts();
-  pictures[std::size_t(LeafPicture::bough)] = bough();
-  pictures[std::size_t(LeafPicture::blades)] = blades();
-  pictures[std::size_t(LeafPicture::rosette)] = rosette();
-  pictures[std::size_t(LeafPicture::flower)] = flowers();
-  pictures[std::size_t(LeafPicture::twigs)] = bare_twigs();
+  const auto set = [&](LeafPicture which, Grid<Rgba> picture) { pictures[std::size_t(which)] = std::move(picture); };
+  set(LeafPicture::bark, bark(false));
+  set(LeafPicture::pale_bark, bark(true));
+  set(LeafPicture::broad, leafy(250, 0.08F, 0.27F, 0.75F, 0, 1));
+  set(LeafPicture::small, leafy(290, 0.062F, 0.32F, 0.8F, 0, 2));
+  set(LeafPicture::airy, leafy(260, 0.058F, 0.36F, 0.5F, 0.5F, 10));
+  set(LeafPicture::needles, needle_tufts());
+  set(LeafPicture::bough, bough());
+  set(LeafPicture::blades, blades());
+  set(LeafPicture::rosette, rosette());
+  set(LeafPicture::flower, flowers());
+  set(LeafPicture::flower_head, flower_head());
+  set(LeafPicture::twigs, bare_twigs());
   return pictures;
 }
 

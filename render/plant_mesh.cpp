@@ -1,6 +1,7 @@
 #include "render/plant_mesh.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
@@ -9,15 +10,10 @@
 
 namespace biotope {
 
-namespace {
-
-/// Any unit vector perpendicular to a unit vector.
 glm::vec3 perpendicular(const glm::vec3& v) {
   const glm::vec3 other = std::abs(v.z) < 0.9F ? glm::vec3(0, 0, 1) : glm::vec3(1, 0, 0);
   return glm::normalize(glm::cross(v, other));
 }
-
-}  // namespace
 
 float MeshRandom::unit() { return float(random_unit({seed_, 0x6d657368ULL, drawn_++})); }
 
@@ -28,65 +24,104 @@ glm::vec3 MeshRandom::direction() {
   return {level * std::cos(turn), level * std::sin(turn), z};
 }
 
-void PlantMeshBuilder::quad(const std::array<PlantVertex, 4>& corners) {
-  const auto first = std::uint16_t(mesh_.vertices.size());
-  mesh_.vertices.insert(mesh_.vertices.end(), corners.begin(), corners.end());
-  for (const int i : {0, 1, 2, 0, 2, 3}) mesh_.indices.push_back(std::uint16_t(first + i));
+void PlantMeshBuilder::triangle(std::size_t a, std::size_t b, std::size_t c) {
+  for (const std::size_t i : {a, b, c}) mesh_.indices.push_back(std::uint16_t(i));
 }
 
-glm::vec3 PlantMeshBuilder::soft_normal(const glm::vec3& at, const glm::vec3& facing) const {
-  const glm::vec3 outward = (at - crown_.centre) / (crown_.radii * crown_.radii);
-  const glm::vec3 side = glm::length(outward) > 1e-4F ? glm::normalize(outward) : glm::vec3(0, 0, 1);
+glm::vec3 PlantMeshBuilder::soft_normal(const glm::vec3& at, const glm::vec3& facing, const CrownForm* bunch) const {
+  const auto outward = [&](const CrownForm& form) {
+    const glm::vec3 out = (at - form.centre) / (form.radii * form.radii);
+    return glm::length(out) > 1e-4F ? glm::normalize(out) : glm::vec3(0, 0, 1);
+  };
+  const glm::vec3 side = bunch != nullptr ? glm::normalize(outward(crown_) * 0.9F + outward(*bunch) * 0.75F) : outward(crown_);
   const glm::vec3 out = glm::dot(facing, side) < 0 ? -facing : facing;
-  return glm::normalize(side * 0.75F + out * 0.35F + glm::vec3(0, 0, 0.15F));
+  return glm::normalize(side * 0.8F + out * 0.3F + glm::vec3(0, 0, 0.3F));
 }
 
-float PlantMeshBuilder::openness(const glm::vec3& at) const {
+float PlantMeshBuilder::openness(const glm::vec3& at, const CrownForm* bunch) const {
   const glm::vec3 local = (at - crown_.centre) / crown_.radii;
-  const float outside = glm::smoothstep(0.25F, 1.05F, glm::length(local));
+  const float outside = glm::smoothstep(0.25F, 1.0F, glm::length(local));
   const float height = glm::smoothstep(-1.1F, 0.7F, local.z);
-  return glm::clamp(0.16F + 0.50F * outside * (0.45F + 0.55F * height) + 0.36F * height, 0.0F, 1.0F);
+  float open = 0.18F + 0.44F * outside * (0.4F + 0.6F * height) + 0.38F * height;
+  if (bunch != nullptr) {
+    const glm::vec3 within = (at - bunch->centre) / bunch->radii;
+    open *= 0.55F + 0.48F * glm::smoothstep(-0.9F, 1.1F, within.z + 0.45F * glm::length(within));
+  }
+  return glm::clamp(open, 0.0F, 1.0F);
+}
+
+float PlantMeshBuilder::shade_of_wood(const glm::vec3& at) const {
+  return at.z < crown_.centre.z - crown_.radii.z ? 0.75F : 0.3F + 0.35F * openness(at, nullptr);
+}
+
+void PlantMeshBuilder::stem(std::span<const glm::vec3> points, std::span<const float> radii, int sides) {
+  const std::size_t first = mesh_.vertices.size();
+  const std::size_t ring = std::size_t(sides) + 1;
+  float travelled = 0;
+  glm::vec3 right = perpendicular(glm::normalize(points[1] - points[0]));
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const glm::vec3 along = glm::normalize(points[std::min(p + 1, points.size() - 1)] - points[p > 0 ? p - 1 : 0]);
+    // The ring before, turned as little as may be.
+    right = glm::normalize(right - along * glm::dot(right, along));
+    const glm::vec3 forward = glm::cross(along, right);
+    if (p > 0) travelled += glm::length(points[p] - points[p - 1]);
+    for (std::size_t i = 0; i < ring; ++i) {
+      const float turn = glm::two_pi<float>() * float(i) / float(sides);
+      const glm::vec3 out = right * std::cos(turn) + forward * std::sin(turn);
+      const glm::vec3 at = points[p] + out * radii[p];
+      mesh_.vertices.push_back({at, out, {float(i) / float(sides) * 2, travelled * 0.6F}, float(bark_), shade_of_wood(at), 2, 0});
+    }
+    if (p == 0) continue;
+    for (std::size_t i = 0; i + 1 < ring; ++i) {
+      const std::size_t a = first + (p - 1) * ring + i;
+      triangle(a, a + 1, a + ring + 1);
+      triangle(a, a + ring + 1, a + ring);
+    }
+  }
 }
 
 void PlantMeshBuilder::stem(const glm::vec3& from, const glm::vec3& to, float radius_from, float radius_to, int sides) {
-  const glm::vec3 along = glm::normalize(to - from);
-  const glm::vec3 right = perpendicular(along);
-  const glm::vec3 forward = glm::cross(along, right);
-  for (int i = 0; i < sides; ++i) {
-    std::array<PlantVertex, 4> corners{};
-    for (int c = 0; c < 4; ++c) {
-      const bool next = c == 1 || c == 2;
-      const bool top = c >= 2;
-      const float turn = glm::two_pi<float>() * float(i + (next ? 1 : 0)) / float(sides);
-      const glm::vec3 out = right * std::cos(turn) + forward * std::sin(turn);
-      const glm::vec3 at = top ? to + out * radius_to : from + out * radius_from;
-      const float shade = at.z < crown_.centre.z - crown_.radii.z ? 0.75F : 0.35F + 0.3F * openness(at);
-      corners[std::size_t(c)] = {at,
-                                 out,
-                                 {float(i + (next ? 1 : 0)) / float(sides), top ? glm::length(to - from) : 0.0F},
-                                 float(LeafPicture::bark),
-                                 shade,
-                                 2,
-                                 0};
+  const std::array<glm::vec3, 2> points{from, to};
+  const std::array<float, 2> radii{radius_from, radius_to};
+  stem(points, radii, sides);
+}
+
+void PlantMeshBuilder::strip(std::span<const glm::vec3> points, std::span<const float> radii, const glm::vec3& facing) {
+  const std::size_t first = mesh_.vertices.size();
+  float travelled = 0;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const glm::vec3 along = glm::normalize(points[std::min(p + 1, points.size() - 1)] - points[p > 0 ? p - 1 : 0]);
+    const glm::vec3 across = glm::cross(along, facing);
+    const glm::vec3 side = glm::length(across) > 1e-3F ? glm::normalize(across) : perpendicular(along);
+    if (p > 0) travelled += glm::length(points[p] - points[p - 1]);
+    for (const float s : {-1.0F, 1.0F}) {
+      const glm::vec3 at = points[p] + side * s * radii[p];
+      // The middle of a strip looks toward one, its edges to the sides.
+      const glm::vec3 normal = glm::normalize(glm::vec3(0, 0, 0.7F) + side * s);
+      mesh_.vertices.push_back({at, normal, {0.5F + 0.2F * s, travelled * 0.6F}, float(bark_), shade_of_wood(at), 2, 0});
     }
-    quad(corners);
+    if (p == 0) continue;
+    const std::size_t a = first + 2 * (p - 1);
+    triangle(a, a + 1, a + 3);
+    triangle(a, a + 3, a + 2);
   }
 }
 
-void PlantMeshBuilder::card(const FoliageCard& card) {
+void PlantMeshBuilder::card(const FoliageCard& card, const CrownForm* bunch) {
+  const std::size_t first = mesh_.vertices.size();
   const glm::vec3 right = glm::normalize(glm::cross(card.upright, card.facing));
   const glm::vec3 up = glm::cross(card.facing, right);
   const float fall = random.unit();
-  std::array<PlantVertex, 4> corners{};
   constexpr std::array<glm::vec2, 4> uvs{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
-  for (std::size_t c = 0; c < 4; ++c) {
-    const glm::vec3 at = card.centre + right * ((uvs[c].x - 0.5F) * card.width) + up * ((uvs[c].y - 0.5F) * card.height);
-    corners[c] = {at, soft_normal(at, card.facing), uvs[c], float(card.picture), openness(at), fall, 1};
+  for (const glm::vec2& uv : uvs) {
+    const glm::vec3 at = card.centre + right * ((uv.x - 0.5F) * card.width) + up * ((uv.y - 0.5F) * card.height);
+    mesh_.vertices.push_back({at, soft_normal(at, card.facing, bunch), uv, float(card.picture), openness(at, bunch), fall, 1});
   }
-  quad(corners);
+  triangle(first, first + 1, first + 2);
+  triangle(first, first + 2, first + 3);
 }
 
-void PlantMeshBuilder::lobe(const CrownForm& form, int cards, float size, LeafPicture picture, float roughness) {
+void PlantMeshBuilder::bunch(const CrownForm& form, int cards, float size, LeafPicture picture, float roughness) {
   const float start = random.between(0, glm::two_pi<float>());
   for (int i = 0; i < cards; ++i) {
     // Golden angle over the sphere: even cover with few cards.
@@ -101,14 +136,34 @@ void PlantMeshBuilder::lobe(const CrownForm& form, int cards, float size, LeafPi
     if (std::abs(glm::dot(leaf.facing, leaf.upright)) > 0.97F) leaf.upright = perpendicular(leaf.facing);
     leaf.width = leaf.height = size * random.between(0.85F, 1.15F);
     leaf.picture = picture;
-    card(leaf);
+    card(leaf, &form);
   }
+}
+
+void PlantMeshBuilder::blade(const glm::vec3& foot, const glm::vec3& knee, const glm::vec3& tip, float width, float shade) {
+  const std::size_t first = mesh_.vertices.size();
+  const glm::vec3 along = tip - foot;
+  const glm::vec3 level(along.y, -along.x, 0);
+  const glm::vec3 side = glm::length(level) > 1e-4F ? glm::normalize(level) : glm::vec3(1, 0, 0);
+  const float own = random.unit();
+  // One place of a picture without holes: a shade of its own for every blade.
+  const glm::vec2 uv(own, random.unit());
+  const auto add = [&](const glm::vec3& at, float light) {
+    mesh_.vertices.push_back({at, glm::vec3(0, 0, 1), uv, float(LeafPicture::bark), shade * light, own, 1});
+  };
+  add(foot - side * width * 0.5F, 0.42F);
+  add(foot + side * width * 0.5F, 0.42F);
+  add(knee - side * width * 0.42F, 0.8F);
+  add(knee + side * width * 0.42F, 0.8F);
+  add(tip, 1);
+  triangle(first, first + 1, first + 3);
+  triangle(first, first + 3, first + 2);
+  triangle(first + 2, first + 3, first + 4);
 }
 
 PlantMesh make_plant_mesh(const PlantShape& shape, PlantDetail detail, std::uint64_t seed) {
   const std::string& model = shape.model;
-  if (model == "conifer")
-    return shape.trunk_fraction >= 0.25F ? pine_mesh(shape, detail, seed) : spruce_mesh(shape, detail, seed);
+  if (model == "conifer") return shape.trunk_fraction > 0.25F ? pine_mesh(shape, detail, seed) : spruce_mesh(shape, detail, seed);
   if (model == "mountain-pine") return mountain_pine_mesh(shape, detail, seed);
   if (model == "juniper") return juniper_mesh(shape, detail, seed);
   if (model == "shrub") return shrub_mesh(shape, detail, seed);

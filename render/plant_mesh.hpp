@@ -9,8 +9,22 @@
 namespace biotope {
 
 /// Pictures of foliage that cards show, numbered as layers of leaf_pictures().
-enum class LeafPicture : std::uint8_t { bark, broad, small, needles, bough, blades, rosette, flower, twigs };
-inline constexpr int leaf_picture_count = 9;
+/// The plant shaders know the numbers of `flower`, `flower_head` and `twigs`.
+enum class LeafPicture : std::uint8_t {
+  bark,
+  broad,
+  small,
+  needles,
+  bough,
+  blades,
+  rosette,
+  flower,
+  twigs,
+  airy,
+  flower_head,
+  pale_bark
+};
+inline constexpr int leaf_picture_count = 12;
 
 /// What the plant shaders read per vertex.
 struct PlantVertex {
@@ -29,7 +43,7 @@ struct PlantMesh {
   [[nodiscard]] std::size_t triangles() const { return indices.size() / 3; }
 };
 
-/// How many triangles a mesh may have: near 150..600, mid 40..90; tufts of herbs have fewer.
+/// How many triangles a mesh may have: near 280..1500, mid 35..175; a tuft of herbs near 70, from afar 8.
 enum class PlantDetail : std::uint8_t { near, mid };
 
 /// The mesh of a grown plant of that shape, in metres. `seed` varies it. Unknown models are drawn as their nearest kin (broadleaf

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "render/plant_mesh.hpp"
 
 namespace biotope {
@@ -18,6 +20,9 @@ class MeshRandom {
   std::uint64_t drawn_ = 0;
 };
 
+/// Any unit vector perpendicular to a unit vector.
+[[nodiscard]] glm::vec3 perpendicular(const glm::vec3& v);
+
 /// A card of foliage: a square that carries a leaf picture.
 struct FoliageCard {
   glm::vec3 centre;
@@ -28,7 +33,7 @@ struct FoliageCard {
   LeafPicture picture = LeafPicture::broad;
 };
 
-/// The crown that foliage belongs to: where it is dark, and which way its outside faces.
+/// A crown or a bunch of foliage in it: where it is dark, and which way its outside faces.
 struct CrownForm {
   glm::vec3 centre{0};
   glm::vec3 radii{1};
@@ -39,22 +44,31 @@ class PlantMeshBuilder {
  public:
   PlantMeshBuilder(const CrownForm& crown, std::uint64_t seed) : random(seed), crown_(crown) {}
 
-  /// A stem of `sides` faces, open at both ends.
+  /// A stem of `sides` faces along points, open at both ends.
+  void stem(std::span<const glm::vec3> points, std::span<const float> radii, int sides);
   void stem(const glm::vec3& from, const glm::vec3& to, float radius_from, float radius_to, int sides);
-  void card(const FoliageCard& card);
-  /// Cards over the outside of an ellipsoid, facing outwards more or less: a lobe of a crown. `roughness` 0..1 turns them at
+  /// A thin branch: a flat strip that faces `facing`.
+  void strip(std::span<const glm::vec3> points, std::span<const float> radii, const glm::vec3& facing);
+  /// A card shaded as a part of the crown and of a bunch of foliage in it (null: of the crown alone).
+  void card(const FoliageCard& card, const CrownForm* bunch = nullptr);
+  /// Cards over the outside of an ellipsoid, facing outwards more or less: a bunch of foliage. `roughness` 0..1 turns them at
   /// random.
-  void lobe(const CrownForm& form, int cards, float size, LeafPicture picture, float roughness);
+  void bunch(const CrownForm& form, int cards, float size, LeafPicture picture, float roughness);
+  /// A blade or leaf of a herb that bends at its knee: dark at the root, light at the tip. `shade` 0..1.
+  void blade(const glm::vec3& foot, const glm::vec3& knee, const glm::vec3& tip, float width, float shade);
+  void set_bark(LeafPicture bark) { bark_ = bark; }
   [[nodiscard]] PlantMesh take() { return std::move(mesh_); }
 
   MeshRandom random;
 
  private:
-  [[nodiscard]] glm::vec3 soft_normal(const glm::vec3& at, const glm::vec3& facing) const;
-  [[nodiscard]] float openness(const glm::vec3& at) const;
-  void quad(const std::array<PlantVertex, 4>& corners);
+  [[nodiscard]] glm::vec3 soft_normal(const glm::vec3& at, const glm::vec3& facing, const CrownForm* bunch) const;
+  [[nodiscard]] float openness(const glm::vec3& at, const CrownForm* bunch) const;
+  [[nodiscard]] float shade_of_wood(const glm::vec3& at) const;
+  void triangle(std::size_t a, std::size_t b, std::size_t c);
 
   CrownForm crown_;
+  LeafPicture bark_ = LeafPicture::bark;
   PlantMesh mesh_;
 };
 

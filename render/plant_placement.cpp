@@ -21,9 +21,13 @@ constexpr float largest = 1.2015F;
 /// In a full wood crowns grow into all the room there is.
 constexpr float most_crowded = 1.45F;
 constexpr float wet = 0.05F;
-/// Nothing stands nearer to drawn water than this, m.
-constexpr float bank = 0.3F;
-constexpr float tuft_spacing = 0.4F;
+/// Nothing stands nearer to drawn water than this, m; herbs come one by one within the next metres.
+constexpr float bank = 0.7F;
+constexpr float herb_bank = 3.0F;
+constexpr float tuft_spacing = 0.25F;
+/// Share of tufts and of their height where nothing of the growth is left.
+constexpr float eaten_density = 0.7F;
+constexpr float eaten_height = 0.42F;
 
 float cell_width(int level) { return root_side / float(1 << ((level + 1) / 2)); }
 float cell_height(int level) { return root_side / float(1 << (level / 2)); }
@@ -34,10 +38,28 @@ int level_of(float crown_area) {
   return std::clamp(int(std::lround(levels)), 0, deepest_level);
 }
 
+/// One of the draws 0..1 of a place.
+float draw(std::uint64_t place, std::uint64_t what) { return float(mix_bits(place + what) >> 40U) * 0x1.0p-24F; }
+
+/// A draw 0..1 for a cell of which every group of 8 x 8 cells has one in each 64th: cells that are filled with some probability
+/// are then as many as the probability says, wherever one counts. `key`: 64 random bits of the group; `within`: 0..1.
+float even_draw(int column, int row, std::uint64_t key, float within) {
+  // Steps that each map 0..63 onto itself.
+  std::uint32_t k = std::uint32_t((column & 7) | ((row & 7) << 3));
+  for (int round = 0; round < 3; ++round) {
+    k = (k + std::uint32_t(key & 63)) & 63;
+    k = (k * std::uint32_t(((key >> 6) & 31) * 2 + 1)) & 63;
+    k ^= k >> 3;
+    key >>= 13;
+  }
+  return (float(k) + within) / 64;
+}
+
 }  // namespace
 
-PlantPlacement::PlantPlacement(std::shared_ptr<const MapsSnapshot> snapshot, std::shared_ptr<const ShoreMap> shore)
-    : snapshot_(std::move(snapshot)), shore_(std::move(shore)) {
+PlantPlacement::PlantPlacement(std::shared_ptr<const MapsSnapshot> snapshot, std::shared_ptr<const ShoreMap> shore,
+                               std::shared_ptr<const Grazing> grazing)
+    : snapshot_(std::move(snapshot)), shore_(std::move(shore)), grazing_(std::move(grazing)) {
   if (!snapshot_ || !snapshot_->web || snapshot_->web->levels.empty()) return;
   const auto& plants = snapshot_->web->levels[0];
   for (std::size_t i = 0; i < plants.size() && i < snapshot_->cover.size(); ++i) {
@@ -56,7 +78,7 @@ PlantPlacement::PlantPlacement(std::shared_ptr<const MapsSnapshot> snapshot, std
   }
 }
 
-bool PlantPlacement::grows_at(int map_x, int map_y, float x, float y) const {
+bool PlantPlacement::grows_at(int map_x, int map_y, float x, float y, float away) const {
   const MapsSnapshot& maps = *snapshot_;
   if (maps.hydrology &&
       (maps.hydrology->water_depth(map_x, map_y) > wet || maps.hydrology->water(map_x, map_y) != WaterKind::dry)) {
@@ -65,7 +87,7 @@ bool PlantPlacement::grows_at(int map_x, int map_y, float x, float y) const {
   if (shore_) {
     const double fine = maps.terrain().cell_size / shore_->scale;
     const std::uint8_t code = shore_->codes.clamped(int(double(x) / fine), shore_->codes.height() - 1 - int(double(y) / fine));
-    if (shore_distance(code) > -bank) return false;
+    if (shore_distance(code) > -away) return false;
   }
   return !maps.trails || maps.trails->wear.empty() || maps.trails->wear(map_x, map_y) <= trodden_wear;
 }
@@ -90,7 +112,7 @@ std::vector<PlantInstance> PlantPlacement::block(Stratum stratum, int column, in
       for (int x = 0; x < roots; ++x) woody_cell(stratum, {0, column * roots + x, row * roots + y}, 0, out);
     }
   }
-  std::stable_sort(out.begin(), out.end(), [](const PlantInstance& a, const PlantInstance& b) { return a.plant < b.plant; });
+  std::stable_sort(out.begin(), out.end(), [](const PlantInstance& a, const PlantInstance& b) { return a.rank < b.rank; });
   return out;
 }
 
@@ -116,7 +138,9 @@ std::vector<PlantPlacement::Candidate> PlantPlacement::candidates(Stratum stratu
     const float y = (float(cell.row) + 0.5F) * height + jitter.y * std::max(0.0F, 0.5F * height - inset);
     const int map_x = int(std::floor(x / cell_size));
     const int map_y = rows - 1 - int(std::floor(y / cell_size));
-    if (!kind.cover->rect().contains(map_x, map_y) || (*kind.cover)(map_x, map_y) == 0 || !grows_at(map_x, map_y, x, y)) continue;
+    if (!kind.cover->rect().contains(map_x, map_y) || (*kind.cover)(map_x, map_y) == 0 || !grows_at(map_x, map_y, x, y, bank)) {
+      continue;
+    }
     const float crowding = std::clamp(cells_wanted(stratum, map_x, map_y), 1.0F, most_crowded);
     const float share = cover_fraction((*kind.cover)(map_x, map_y)) * width * height / (kind.crown_area * crowding);
     out.push_back({&kind, x, y, share, crowding});
@@ -125,13 +149,15 @@ std::vector<PlantPlacement::Candidate> PlantPlacement::candidates(Stratum stratu
 }
 
 void PlantPlacement::woody_cell(Stratum stratum, const Cell& cell, float taken, std::vector<PlantInstance>& out) const {
-  const auto random = [&](std::uint64_t what) {
-    return float(random_unit({snapshot_->document.seed, 0x706c616e74ULL + std::uint64_t(stratum), std::uint64_t(cell.level),
-                              std::uint64_t(cell.column), std::uint64_t(cell.row), what}));
-  };
+  const std::uint64_t own = random_bits({snapshot_->document.seed, 0x706c616e74ULL + std::uint64_t(stratum),
+                                         std::uint64_t(cell.level), std::uint64_t(cell.column), std::uint64_t(cell.row)});
+  const auto random = [own](std::uint64_t what) { return draw(own, what); };
   const float size = smallest + (largest - smallest) * random(1);
   // Given that no larger cell around this one is taken, the chance is higher by as much.
-  float chance = random(4) * std::max(1 - taken, 1e-3F);
+  const std::uint64_t group =
+      random_bits({snapshot_->document.seed, 0x67726f7570ULL + std::uint64_t(stratum), std::uint64_t(cell.level),
+                   std::uint64_t(cell.column >> 3), std::uint64_t(cell.row >> 3)});
+  float chance = even_draw(cell.column, cell.row, group, random(4)) * std::max(1 - taken, 1e-3F);
   for (const Candidate& candidate : candidates(stratum, cell, size, {2 * random(2) - 1, 2 * random(3) - 1})) {
     taken += candidate.share;
     if (chance >= candidate.share) {
@@ -164,24 +190,28 @@ std::vector<PlantInstance> PlantPlacement::herbs(int column, int row) const {
     for (int i = 0; i < tufts; ++i) {
       const int lattice_x = column * tufts + i;
       const int lattice_y = row * tufts + j;
-      const auto random = [&](std::uint64_t what) {
-        return float(
-            random_unit({snapshot_->document.seed, 0x74756674ULL, std::uint64_t(lattice_x), std::uint64_t(lattice_y), what}));
-      };
+      const std::uint64_t own =
+          random_bits({snapshot_->document.seed, 0x74756674ULL, std::uint64_t(lattice_x), std::uint64_t(lattice_y)});
+      const auto random = [own](std::uint64_t what) { return draw(own, what); };
       const float x = (float(lattice_x) + random(1)) * tuft_spacing;
       const float y = (float(lattice_y) + random(2)) * tuft_spacing;
       const int map_x = int(std::floor(x / float(terrain.cell_size)));
       const int map_y = terrain.height.height() - 1 - int(std::floor(y / float(terrain.cell_size)));
-      if (!terrain.height.contains(map_x, map_y) || !grows_at(map_x, map_y, x, y)) continue;
+      if (!terrain.height.contains(map_x, map_y)) continue;
+      // The bank is bare at the water and overgrown some metres off.
+      if (!grows_at(map_x, map_y, x, y, bank + (herb_bank - bank) * random(8))) continue;
       float chance = random(3);
       for (const Kind& kind : kinds_[std::size_t(Stratum::herb)]) {
         const float cover = cover_fraction((*kind.cover)(map_x, map_y));
-        if (chance >= cover) {
-          chance -= cover;
+        if (cover <= 0) continue;
+        const float left = grazing_ ? grazing_->left(kind.plant, map_x, map_y) : 1.0F;
+        const float share = cover * (eaten_density + (1 - eaten_density) * left);
+        if (chance >= share) {
+          chance -= share;
           continue;
         }
         PlantInstance plant = stand(kind, x, y);
-        plant.scale = 0.65F + 0.7F * random(4);
+        plant.scale = (0.6F + 0.75F * random(4)) * (eaten_height + (1 - eaten_height) * left);
         plant.turn = glm::two_pi<float>() * random(5);
         plant.tint = random(6);
         plant.rank = random(7);

@@ -20,6 +20,36 @@ bool lacks_plants(const MapsSnapshot& snapshot) {
          std::any_of(snapshot.cover.begin(), snapshot.cover.end(), [](const auto& cover) { return cover == nullptr; });
 }
 
+void set_levels(const ShaderProgram& program, const PlantLevels& levels) {
+  program.set("lod", glm::vec4(levels.near_pixels, levels.mid_pixels, levels.far_from, levels.far_to));
+}
+
+/// Draws a mesh for instances [first, first + count) of a buffer.
+void draw_instances(const PlantMeshBuffers& mesh, const Buffer& instances, std::size_t first, std::size_t count,
+                    DrawCount& drawn) {
+  glVertexArrayVertexBuffer(mesh.array.name(), 1, instances.name(), GLintptr(first * sizeof(PlantInstance)),
+                            sizeof(PlantInstance));
+  glBindVertexArray(mesh.array.name());
+  glDrawElementsInstanced(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_SHORT, nullptr, GLsizei(count));
+  ++drawn.draw_calls;
+  drawn.triangles += count * std::size_t(mesh.index_count / 3);
+}
+
+/// Draws a square for plants of the arena; returns how many.
+std::size_t draw_blocks(const VertexArray& array, const PlantArena& arena, const Buffer& commands,
+                        std::span<const FarDraw> blocks) {
+  if (blocks.empty()) return 0;
+  stream(commands, blocks);
+  glVertexArrayVertexBuffer(array.name(), 1, arena.buffer().name(), 0, sizeof(PlantInstance));
+  glBindVertexArray(array.name());
+  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands.name());
+  glMultiDrawArraysIndirect(GL_TRIANGLE_STRIP, nullptr, GLsizei(blocks.size()), 0);
+  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+  std::size_t sum = 0;
+  for (const FarDraw& block : blocks) sum += block.plants;
+  return sum;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<PlantRenderer>> PlantRenderer::create() {
@@ -33,13 +63,14 @@ Result<std::unique_ptr<PlantRenderer>> PlantRenderer::create() {
   };
   for (const Wanted& wanted :
        {Wanted{renderer->mesh_program_, "landscape/plant_mesh"}, Wanted{renderer->far_program_, "landscape/plant_far"},
-        Wanted{renderer->shade_program_, "landscape/plant_shade"}}) {
+        Wanted{renderer->tuft_program_, "landscape/plant_tuft"}, Wanted{renderer->shade_program_, "landscape/plant_shade"}}) {
     auto program = load_shader_program(std::string(wanted.name) + ".vert", std::string(wanted.name) + ".frag");
     if (!program) return tl::unexpected(program.error());
     wanted.program = std::move(*program);
   }
   renderer->instances_ = make_buffer();
-  renderer->shade_instances_ = make_buffer();
+  renderer->far_draws_ = make_buffer();
+  renderer->shade_draws_ = make_buffer();
   renderer->far_array_ = make_vertex_array();
   instance_attributes(renderer->far_array_);
   renderer->shade_array_ = make_vertex_array();
@@ -84,30 +115,31 @@ bool PlantRenderer::prepare(const PlantLook& look, const glm::dvec3& eye, const 
     return true;
   }
   kinds_.set_month(*snapshot_->web, look.month);
-  const PlantBudget budget = PlantBudget::of(look.quality);
+  PlantBudget budget = PlantBudget::of(look.quality);
+  // From higher up than one sees trees, the ground shows all of them.
+  if (!sees(Stratum::tree, budget, eye)) budget.tree_reach = 0;
   const auto until = std::chrono::steady_clock::now() + std::chrono::microseconds(std::int64_t(1000 * budget_ms));
   bool complete = true;
   for (const Stratum stratum : {Stratum::herb, Stratum::tree, Stratum::shrub}) {
-    if (sees(stratum, budget, eye)) complete = blocks_.build(stratum, eye.x, eye.y, budget.reach(stratum), until) && complete;
+    if (budget.reach(stratum) > 0 && sees(stratum, budget, eye))
+      complete = blocks_.build(stratum, eye.x, eye.y, budget.reach(stratum), until) && complete;
   }
+  for (const Stratum stratum : {Stratum::tree, Stratum::shrub}) arena_.follow(blocks_, stratum, budget.resident);
   // What was built since the last frame casts shade too.
-  if (!complete || !complete_ || visible_ != look.visible) shaded_area_ = glm::vec4(0);
+  if (kinds_.set_visible(look.visible) || !complete || !complete_) shaded_area_ = glm::vec4(0);
   complete_ = complete;
-  visible_ = look.visible;
-  selection_ = select_plants(blocks_, kinds_.kinds(), look.visible, budget, frame, frustum);
+  selection_ = select_plants(blocks_, arena_, kinds_.kinds(), look.visible, budget, frame, frustum);
   upload_selection();
   return complete;
 }
 
 void PlantRenderer::upload_selection() {
   std::vector<PlantInstance> all;
-  all.reserve(selection_.count);
-  for (const auto* lists : {&selection_.near, &selection_.mid}) {
+  for (const auto* lists : {&selection_.near, &selection_.mid, &selection_.near_tufts, &selection_.far_tufts}) {
     for (const auto& list : *lists) all.insert(all.end(), list.begin(), list.end());
   }
-  all.insert(all.end(), selection_.far.begin(), selection_.far.end());
   stream(instances_, std::span<const PlantInstance>(all));
-  instance_bytes_ = all.size() * sizeof(PlantInstance);
+  streamed_bytes_ = all.size() * sizeof(PlantInstance);
 }
 
 glm::vec4 PlantRenderer::shade_area(const glm::dvec3& eye, double above) {
@@ -119,21 +151,16 @@ glm::vec4 PlantRenderer::shade_area(const glm::dvec3& eye, double above) {
   return {edge(eye.x), edge(eye.y), float(side), 0.72F};
 }
 
-std::vector<PlantInstance> PlantRenderer::shading_plants(const glm::vec4& area) const {
-  std::vector<PlantInstance> out;
+std::vector<FarDraw> PlantRenderer::shading_blocks(const glm::vec4& area) const {
+  std::vector<FarDraw> out;
   constexpr float longest_shadow = 60;
   constexpr float margin = woody_block_side + longest_shadow;
   for (const Stratum stratum : {Stratum::tree, Stratum::shrub}) {
-    for (const auto& [place, block] : blocks_.blocks(stratum)) {
+    for (const auto& [place, resident] : arena_.places(stratum)) {
       const glm::vec2 corner(float(place.second) * woody_block_side, float(place.first) * woody_block_side);
       if (corner.x < area.x - margin || corner.y < area.y - margin) continue;
       if (corner.x > area.x + area.z + longest_shadow || corner.y > area.y + area.z + longest_shadow) continue;
-      for (const PlantInstance& plant : block.plants) {
-        const auto kind = std::size_t(plant.plant);
-        if (kind >= kinds_.kinds().size()) continue;
-        const auto species = std::size_t(kinds_.kinds()[kind].species);
-        if (species >= visible_.size() || visible_[species]) out.push_back(plant);
-      }
+      if (resident.run.count > 0) out.push_back({4, resident.run.count, 0, resident.run.first});
     }
   }
   return out;
@@ -144,8 +171,7 @@ DrawCount PlantRenderer::draw_shade(const glm::vec4& area, const glm::vec3& ligh
   if (shaded_area_ == area && glm::dot(shaded_light_, light_direction) > 0.99998F) return {};
   shaded_area_ = area;
   shaded_light_ = light_direction;
-  const std::vector<PlantInstance> plants = shading_plants(area);
-  stream(shade_instances_, std::span<const PlantInstance>(plants));
+  const std::vector<FarDraw> blocks = shading_blocks(area);
   const DrawnElsewhere elsewhere(shade_texels, shade_texels);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, shade_framebuffer_.name());
   constexpr std::array<float, 4> clear{0, 0, 0, 0};
@@ -157,19 +183,21 @@ DrawCount PlantRenderer::draw_shade(const glm::vec4& area, const glm::vec3& ligh
   glEnable(GL_BLEND);
   glBlendEquation(GL_MAX);
   glBindVertexArray(shade_array_.name());
-  glVertexArrayVertexBuffer(shade_array_.name(), 1, shade_instances_.name(), 0, sizeof(PlantInstance));
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(plants.size()));
+  const std::size_t plants = draw_blocks(shade_array_, arena_, shade_draws_, blocks);
   glBlendEquation(GL_FUNC_ADD);
   glDisable(GL_BLEND);
   glEnable(GL_DEPTH_TEST);
-  return {1, 2 * plants.size()};
+  return {1, 2 * plants};
 }
 
 DrawCount PlantRenderer::draw() const {
   kinds_.bind();
-  const DrawCount meshes = draw_meshes();
-  const DrawCount far = draw_far();
-  return {meshes.draw_calls + far.draw_calls, meshes.triangles + far.triangles};
+  DrawCount drawn;
+  for (const DrawCount& part : {draw_meshes(), draw_tufts(), draw_far()}) {
+    drawn.draw_calls += part.draw_calls;
+    drawn.triangles += part.triangles;
+  }
+  return drawn;
 }
 
 DrawCount PlantRenderer::draw_meshes() const {
@@ -178,18 +206,35 @@ DrawCount PlantRenderer::draw_meshes() const {
   std::size_t first = 0;
   for (const bool near : {true, false}) {
     const auto& lists = near ? selection_.near : selection_.mid;
+    mesh_program_.set("nearness", near ? 1.0F : 0.0F);
+    for (std::size_t i = 0; i < lists.size(); ++i) {
+      if (lists[i].empty()) continue;
+      const PlantKind& kind = kinds_.kinds()[i / plant_models];
+      set_wood(mesh_program_, kind);
+      set_levels(mesh_program_, selection_.levels[std::size_t(kind.stratum == Stratum::tree ? 0 : 1)]);
+      draw_instances((near ? kind.near : kind.mid)[i % plant_models], instances_, first, lists[i].size(), drawn);
+      first += lists[i].size();
+    }
+  }
+  return drawn;
+}
+
+DrawCount PlantRenderer::draw_tufts() const {
+  DrawCount drawn;
+  std::size_t first = 0;
+  for (const auto* lists : {&selection_.near, &selection_.mid}) {
+    for (const auto& list : *lists) first += list.size();
+  }
+  tuft_program_.use();
+  tuft_program_.set("fade", glm::vec2(0.08F, 0.75F) * selection_.herb_reach);
+  for (const bool near : {true, false}) {
+    const auto& lists = near ? selection_.near_tufts : selection_.far_tufts;
+    tuft_program_.set("given", glm::vec2(near ? 1 : -1, 1) * selection_.tuft_change);
     for (std::size_t i = 0; i < lists.size(); ++i) {
       if (lists[i].empty()) continue;
       const PlantKind& kind = kinds_.kinds()[i];
-      const PlantMeshBuffers& mesh = near ? kind.near : kind.mid;
-      set_colours(mesh_program_, kind);
-      mesh_program_.set("under_crowns", kind.stratum == Stratum::herb ? 1.0F : 0.0F);
-      glVertexArrayVertexBuffer(mesh.array.name(), 1, instances_.name(), GLintptr(first * sizeof(PlantInstance)),
-                                sizeof(PlantInstance));
-      glBindVertexArray(mesh.array.name());
-      glDrawElementsInstanced(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_SHORT, nullptr, GLsizei(lists[i].size()));
-      ++drawn.draw_calls;
-      drawn.triangles += lists[i].size() * std::size_t(mesh.index_count / 3);
+      set_flowers(tuft_program_, kind);
+      draw_instances((near ? kind.near : kind.mid).front(), instances_, first, lists[i].size(), drawn);
       first += lists[i].size();
     }
   }
@@ -197,15 +242,16 @@ DrawCount PlantRenderer::draw_meshes() const {
 }
 
 DrawCount PlantRenderer::draw_far() const {
-  if (selection_.far.empty()) return {};
-  const std::size_t first = instance_bytes_ / sizeof(PlantInstance) - selection_.far.size();
+  DrawCount drawn;
   far_program_.use();
   far_program_.set("picture_side", float(PlantKinds::picture_side()));
-  glVertexArrayVertexBuffer(far_array_.name(), 1, instances_.name(), GLintptr(first * sizeof(PlantInstance)),
-                            sizeof(PlantInstance));
-  glBindVertexArray(far_array_.name());
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(selection_.far.size()));
-  return {1, 2 * selection_.far.size()};
+  for (std::size_t s = 0; s < selection_.far.size(); ++s) {
+    if (selection_.far[s].empty()) continue;
+    set_levels(far_program_, selection_.levels[s]);
+    drawn.triangles += 2 * draw_blocks(far_array_, arena_, far_draws_, selection_.far[s]);
+    ++drawn.draw_calls;
+  }
+  return drawn;
 }
 
 }  // namespace biotope

@@ -18,7 +18,8 @@ struct PlantLook {
 };
 
 /// Draws the plants: near ones as meshes, farther ones as pictures that face the eye, beyond that the ground's canopy colour
-/// stands for them.
+/// stands for them. Each gives way to the next dot by dot. Woody plants lie on the graphics side block by block; what is near is
+/// chosen anew in every frame.
 class PlantRenderer {
  public:
   [[nodiscard]] static Result<std::unique_ptr<PlantRenderer>> create();
@@ -39,36 +40,41 @@ class PlantRenderer {
   DrawCount draw() const;
 
   /// Distances over which plants give way to the ground's canopy colour, m.
-  [[nodiscard]] glm::vec2 canopy_range() const { return {selection_.far_from, selection_.far_to}; }
+  [[nodiscard]] glm::vec2 canopy_range() const { return {selection_.levels[0].far_from, selection_.levels[0].far_to}; }
   [[nodiscard]] std::size_t plants_drawn() const { return selection_.count; }
-  [[nodiscard]] std::size_t bytes() const { return blocks_.bytes() + instance_bytes_; }
+  /// Memory of instances on both sides.
+  [[nodiscard]] std::size_t bytes() const { return blocks_.bytes() + arena_.bytes() + streamed_bytes_; }
 
  private:
   PlantRenderer() = default;
   [[nodiscard]] bool sees(Stratum stratum, const PlantBudget& budget, const glm::dvec3& eye) const;
   void upload_selection();
-  [[nodiscard]] std::vector<PlantInstance> shading_plants(const glm::vec4& area) const;
+  [[nodiscard]] std::vector<FarDraw> shading_blocks(const glm::vec4& area) const;
   DrawCount draw_meshes() const;
+  DrawCount draw_tufts() const;
   DrawCount draw_far() const;
 
   std::shared_ptr<const MapsSnapshot> snapshot_;
   PlantKinds kinds_;
   PlantBlocks blocks_;
+  PlantArena arena_;
   PlantSelection selection_;
   ShaderProgram mesh_program_;
+  ShaderProgram tuft_program_;
   ShaderProgram far_program_;
   ShaderProgram shade_program_;
+  /// Plants chosen for this frame, one list after the other.
   Buffer instances_;
-  Buffer shade_instances_;
+  Buffer far_draws_;
+  Buffer shade_draws_;
   VertexArray far_array_;
   VertexArray shade_array_;
   Texture shade_;
   Framebuffer shade_framebuffer_;
-  std::size_t instance_bytes_ = 0;
+  std::size_t streamed_bytes_ = 0;
   /// What the shade texture shows.
   glm::vec4 shaded_area_{0};
   glm::vec3 shaded_light_{0};
-  SpeciesVisibility visible_;
   bool complete_ = false;
 };
 

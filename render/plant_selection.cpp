@@ -7,26 +7,41 @@ namespace biotope {
 
 namespace {
 
-/// Height on the screen, in pixels of a picture 540 high, from which a plant is a near or a mid mesh.
-constexpr float near_pixels = 150;
-constexpr float mid_pixels = 62;
 constexpr float reference_pixels_per_radian = 579;
+/// Levels of detail overlap while a plant is between this share of a height and all of it; the same as in plant_lod.glsl.
+constexpr float overlap = 0.86F;
+/// A plant fades out over this share of the ranks.
+constexpr float rank_fade = 0.1F;
+/// Far plants begin to thin out at this share of the distance where none is left.
+constexpr float thinning = 0.3F;
 /// Within this distance every tuft is drawn, m; beyond it fewer and fewer.
-constexpr float dense_tufts = 7;
+constexpr float dense_tufts = 6;
 
-struct Chosen {
-  float distance;
+/// A plant that may be a mesh, and its height on the screen.
+struct Candidate {
+  float pixels;
   const PlantInstance* plant;
 };
 
-/// Keeps the nearest `most`; the others go to `rest`.
-void cut(std::vector<Chosen>& list, std::size_t most, std::vector<Chosen>& rest) {
-  if (list.size() <= most) return;
-  std::nth_element(list.begin(), list.begin() + std::ptrdiff_t(most), list.end(),
-                   [](const Chosen& a, const Chosen& b) { return a.distance < b.distance; });
-  rest.insert(rest.end(), list.begin() + std::ptrdiff_t(most), list.end());
-  list.resize(most);
+/// The height from which at most `most` are taller, if that is more than `least`.
+float height_of_last(std::vector<Candidate>& list, std::size_t most, float least) {
+  if (list.size() <= most) return least;
+  const auto last = list.begin() + std::ptrdiff_t(most);
+  std::nth_element(list.begin(), last, list.end(), [](const Candidate& a, const Candidate& b) { return a.pixels > b.pixels; });
+  return std::max(least, last->pixels / overlap);
 }
+
+/// Share of far plants that are left at a distance.
+float far_share(const PlantLevels& levels, float distance) {
+  return 1 - glm::smoothstep(levels.far_from, levels.far_to, distance);
+}
+
+/// A block in sight, by its distance.
+struct SeenBlock {
+  float distance;
+  const PlantBlock* block;
+  const PlantArena::Resident* resident;
+};
 
 class Selector {
  public:
@@ -36,106 +51,177 @@ class Selector {
     for (const PlantKind& kind : kinds) {
       const auto number = std::size_t(kind.species);
       shown_.push_back(number >= visible.size() || visible[number]);
-      largest_radius_ = std::max(largest_radius_, 1.3F * kind.extent.radius);
-      tallest_ = std::max(tallest_, 1.3F * kind.extent.height);
+      auto& tallest = tallest_[std::size_t(kind.stratum)];
+      tallest = std::max(tallest, 1.5F * kind.extent.height);
+      largest_radius_ = std::max(largest_radius_, 1.5F * kind.extent.radius);
     }
+    out_.tuft_change = {0.7F * budget.blade_reach, budget.blade_reach};
+    out_.herb_reach = budget.herb_reach;
+    out_.near.resize(plant_models * kinds.size());
+    out_.mid.resize(plant_models * kinds.size());
+    out_.near_tufts.resize(kinds.size());
+    out_.far_tufts.resize(kinds.size());
   }
 
-  void woody(const PlantBlocks& blocks, Stratum stratum) {
-    const float reach = budget_.reach(stratum);
-    for (const auto& [place, block] : blocks.blocks(stratum)) {
-      if (!meets(place, block, PlantPlacement::block_side(stratum), reach)) continue;
-      for (const PlantInstance& plant : block.plants) {
-        const auto kind = std::size_t(plant.plant);
-        if (kind >= kinds_.size() || !shown_[kind]) continue;
-        const glm::vec3 offset = glm::vec3(plant.x, plant.y, plant.z) - eye_;
-        const float distance = glm::length(offset);
-        const PlantExtent& extent = kinds_[kind].extent;
-        const float height = extent.height * plant.scale;
-        // Lower plants are lost from sight sooner; toward their reach ever fewer are left.
-        const float own_reach = reach * std::min(1.0F, (height + 2) / (stratum == Stratum::tree ? 12.0F : 4.0F));
-        if (distance > own_reach * (0.72F + 0.28F * (1 - plant.rank))) continue;
-        const float pixels = reference_pixels_per_radian * height / std::max(distance, 0.5F) * (0.88F + 0.24F * plant.rank);
-        const Chosen chosen{distance, &plant};
-        if (pixels < mid_pixels) {
-          far_.push_back(chosen);
-          continue;
+  void woody(const PlantBlocks& blocks, const PlantArena& arena) {
+    std::array<std::vector<SeenBlock>, 2> seen;
+    for (const Stratum stratum : {Stratum::tree, Stratum::shrub}) {
+      auto& list = seen[std::size_t(stratum)];
+      for (const auto& [place, block] : blocks.blocks(stratum)) {
+        const float distance = distance_of(place, block, stratum);
+        if (distance > budget_.reach(stratum)) continue;
+        const auto resident = arena.places(stratum).find(place);
+        list.push_back({distance, &block, resident != arena.places(stratum).end() ? &resident->second : nullptr});
+        if (reference_pixels_per_radian * tallest_[std::size_t(stratum)] * 1.12F >= overlap * budget_.mid_pixels * distance) {
+          gather(block);
         }
-        const float radius = std::max(0.5F * height, extent.radius * plant.scale) * 1.2F;
-        if (!frustum_.meets_sphere(offset + glm::vec3(0, 0, 0.5F * height), radius)) continue;
-        (pixels < near_pixels ? mid_ : near_).push_back(chosen);
       }
+    }
+    meshes();
+    // Trees first: what they leave of the budget is the shrubs'.
+    std::size_t left = budget_.far;
+    for (const std::size_t s : {std::size_t(Stratum::tree), std::size_t(Stratum::shrub)}) {
+      // Where blocks are still to be built, the ground shows their trees.
+      const float reach = std::min(budget_.reach(Stratum(s)), blocks.whole_to(Stratum(s)));
+      left -= std::min(left, far(seen[s], s, s == 0 ? left * 4 / 5 : left, reach));
     }
   }
 
   void tufts(const PlantBlocks& blocks) {
+    std::vector<std::pair<float, const PlantInstance*>> tufts;
     for (const auto& [place, block] : blocks.blocks(Stratum::herb)) {
-      if (!meets(place, block, herb_block_side, budget_.herb_reach)) continue;
+      const float nearest = distance_of(place, block, Stratum::herb);
+      if (nearest > budget_.herb_reach) continue;
       for (const PlantInstance& plant : block.plants) {
+        // They come by rank: none of the others can be meant.
+        if (plant.rank > tuft_share(nearest)) break;
         const auto kind = std::size_t(plant.plant);
         if (kind >= kinds_.size() || !shown_[kind]) continue;
         const glm::vec3 offset = glm::vec3(plant.x, plant.y, plant.z) - eye_;
         const float distance = glm::length(offset);
-        const float thin = dense_tufts / std::max(distance, dense_tufts);
-        const float edge = 1 - glm::smoothstep(0.75F, 1.0F, distance / budget_.herb_reach);
-        if (plant.rank > std::pow(thin, 1.35F) * edge) continue;
-        if (!frustum_.meets_sphere(offset, 1)) continue;
-        tufts_.push_back({distance, &plant});
+        if (plant.rank > tuft_share(distance) || !frustum_.meets_sphere(offset, 1)) continue;
+        tufts.emplace_back(distance, &plant);
       }
     }
+    if (tufts.size() > budget_.tufts) {
+      // Those of the highest rank at their distance are left out, everywhere alike.
+      const auto need = [&](const auto& tuft) { return tuft.second->rank / tuft_share(tuft.first); };
+      const auto last = tufts.begin() + std::ptrdiff_t(budget_.tufts);
+      std::nth_element(tufts.begin(), last, tufts.end(), [&](const auto& a, const auto& b) { return need(a) < need(b); });
+      tufts.erase(last, tufts.end());
+    }
+    for (const auto& [distance, plant] : tufts) {
+      const auto kind = std::size_t(plant->plant);
+      if (distance < out_.tuft_change.y) out_.near_tufts[kind].push_back(*plant);
+      if (distance > out_.tuft_change.x) out_.far_tufts[kind].push_back(*plant);
+    }
+    out_.count += tufts.size();
   }
 
-  PlantSelection take() {
-    PlantSelection out;
-    out.near.resize(kinds_.size());
-    out.mid.resize(kinds_.size());
-    std::vector<Chosen> lost;
-    cut(near_, budget_.near, mid_);
-    cut(mid_, budget_.mid, far_);
-    cut(tufts_, budget_.tufts, lost);
-    thin_out(out);
-    const auto add = [](const std::vector<Chosen>& list, std::vector<std::vector<PlantInstance>>& to) {
-      for (const Chosen& chosen : list) to[std::size_t(chosen.plant->plant)].push_back(*chosen.plant);
-    };
-    add(near_, out.near);
-    add(mid_, out.mid);
-    for (const Chosen& tuft : tufts_) {
-      PlantInstance plant = *tuft.plant;
-      // Fewer but broader tufts from afar.
-      plant.scale *= 1 + 0.5F * std::min(1.0F, tuft.distance / 40);
-      (tuft.distance < 10 ? out.near : out.mid)[std::size_t(plant.plant)].push_back(plant);
-    }
-    out.count = near_.size() + mid_.size() + tufts_.size() + out.far.size();
-    return out;
-  }
+  PlantSelection take() { return std::move(out_); }
 
  private:
-  bool meets(std::pair<int, int> place, const PlantBlock& block, float side, float reach) const {
-    if (block.plants.empty()) return false;
-    const glm::vec3 low =
-        glm::vec3(float(place.second) * side - largest_radius_, float(place.first) * side - largest_radius_, block.low) - eye_;
-    const glm::vec3 high = glm::vec3(float(place.second + 1) * side + largest_radius_,
-                                     float(place.first + 1) * side + largest_radius_, block.high + tallest_) -
+  /// Distance of a block's nearest point from the eye; infinite when nothing of it is in sight.
+  float distance_of(std::pair<int, int> place, const PlantBlock& block, Stratum stratum) const {
+    constexpr float out_of_sight = 1e9F;
+    if (block.plants.empty()) return out_of_sight;
+    const float side = PlantPlacement::block_side(stratum);
+    const float margin = stratum == Stratum::herb ? 0.5F : largest_radius_;
+    const glm::vec3 low = glm::vec3(float(place.second) * side - margin, float(place.first) * side - margin, block.low) - eye_;
+    const glm::vec3 high = glm::vec3(float(place.second + 1) * side + margin, float(place.first + 1) * side + margin,
+                                     block.high + tallest_[std::size_t(stratum)]) -
                            eye_;
-    const glm::vec3 nearest = glm::max(glm::max(low, -high), glm::vec3(0));
-    return glm::length(nearest) <= reach && frustum_.meets_box(low, high);
+    if (!frustum_.meets_box(low, high)) return out_of_sight;
+    return glm::length(glm::max(glm::max(low, -high), glm::vec3(0)));
   }
 
-  /// Puts what is far into the selection; when there is too much, thins it out toward the distance at which the budget is spent.
-  void thin_out(PlantSelection& out) {
-    out.far_to = budget_.tree_reach;
-    if (far_.size() > budget_.far) {
-      std::vector<float> distances(far_.size());
-      std::transform(far_.begin(), far_.end(), distances.begin(), [](const Chosen& c) { return c.distance; });
-      const auto last = distances.begin() + std::ptrdiff_t(budget_.far);
-      std::nth_element(distances.begin(), last, distances.end());
-      out.far_to = std::min(out.far_to, *last);
+  float tuft_share(float distance) const {
+    const float thin = dense_tufts / std::max(distance, dense_tufts);
+    return std::pow(thin, 1.25F) * (1 - glm::smoothstep(0.7F, 1.0F, distance / budget_.herb_reach));
+  }
+
+  /// Plants of a block that are tall enough on the screen to be meshes.
+  void gather(const PlantBlock& block) {
+    for (const PlantInstance& plant : block.plants) {
+      const auto kind = std::size_t(plant.plant);
+      if (kind >= kinds_.size() || !shown_[kind]) continue;
+      const glm::vec3 offset = glm::vec3(plant.x, plant.y, plant.z) - eye_;
+      const PlantExtent& extent = kinds_[kind].extent;
+      const float height = extent.height * plant.scale;
+      const float pixels =
+          reference_pixels_per_radian * height / std::max(glm::length(offset), 0.5F) * (0.88F + 0.24F * plant.rank);
+      if (pixels < overlap * budget_.mid_pixels) continue;
+      const float radius = std::max(0.5F * height, extent.radius * plant.scale) * 1.25F;
+      if (!frustum_.meets_sphere(offset + glm::vec3(0, 0, 0.5F * height), radius)) continue;
+      candidates_.push_back({pixels, &plant});
     }
-    out.far_from = 0.55F * out.far_to;
-    out.far.reserve(std::min(far_.size(), budget_.far));
-    for (const Chosen& chosen : far_) {
-      if (chosen.distance <= out.far_to * (0.72F + 0.28F * (1 - chosen.plant->rank))) out.far.push_back(*chosen.plant);
+  }
+
+  void meshes() {
+    const float mid = height_of_last(candidates_, budget_.near + budget_.mid, budget_.mid_pixels);
+    const float near = std::max(mid, height_of_last(candidates_, budget_.near, budget_.near_pixels));
+    for (PlantLevels& levels : out_.levels) levels = {near, mid, 0, 0};
+    for (const Candidate& candidate : candidates_) {
+      if (candidate.pixels <= overlap * mid) continue;
+      const PlantInstance& plant = *candidate.plant;
+      const std::size_t list = plant_models * std::size_t(plant.plant) + std::size_t(model_of(plant));
+      // Between two levels it is drawn in both, each with a part of its dots.
+      if (candidate.pixels > overlap * near) out_.near[list].push_back(plant);
+      if (candidate.pixels < near) out_.mid[list].push_back(plant);
+      ++out_.count;
     }
+  }
+
+  /// Plants of a block that some share of them shows.
+  static std::size_t plants_at(const PlantBlock& block, float share) {
+    if (share >= 1) return block.plants.size();
+    const float rank = share * (1 + rank_fade);
+    const auto end = std::upper_bound(block.plants.begin(), block.plants.end(), rank,
+                                      [](float value, const PlantInstance& plant) { return value < plant.rank; });
+    return std::size_t(end - block.plants.begin());
+  }
+
+  static std::size_t plants_within(const std::vector<SeenBlock>& seen, const PlantLevels& levels) {
+    std::size_t sum = 0;
+    for (const SeenBlock& block : seen) {
+      const float share = far_share(levels, block.distance);
+      if (share > 0) sum += std::size_t(float(block.block->plants.size()) * std::min(1.0F, share * (1 + rank_fade)));
+    }
+    return sum;
+  }
+
+  /// Far plants of a stratum, out to where the budget is spent. Returns their number.
+  std::size_t far(const std::vector<SeenBlock>& seen, std::size_t stratum, std::size_t most, float reach) {
+    PlantLevels& levels = out_.levels[stratum];
+    // Where there was no room for a block, none is drawn beyond it either.
+    for (const SeenBlock& block : seen) {
+      if (block.resident == nullptr) reach = std::min(reach, std::max(block.distance, 50.0F));
+    }
+    const auto set = [&](float to) {
+      levels.far_from = thinning * to;
+      levels.far_to = std::max(to, 1.0F);
+    };
+    set(reach);
+    if (plants_within(seen, levels) > most) {
+      float low = 0;
+      float high = reach;
+      for (int step = 0; step < 14; ++step) {
+        set(0.5F * (low + high));
+        (plants_within(seen, levels) > most ? high : low) = 0.5F * (low + high);
+      }
+      set(std::max(low, 1.0F));
+    }
+    std::size_t sum = 0;
+    for (const SeenBlock& block : seen) {
+      const float share = far_share(levels, block.distance);
+      if (block.resident == nullptr || share <= 0) continue;
+      const std::size_t plants = plants_at(*block.block, share);
+      if (plants == 0) continue;
+      out_.far[stratum].push_back({4, std::uint32_t(plants), 0, block.resident->run.first});
+      sum += plants;
+    }
+    out_.count += sum;
+    return sum;
   }
 
   const std::vector<PlantKind>& kinds_;
@@ -144,11 +230,9 @@ class Selector {
   const Frustum& frustum_;
   std::vector<bool> shown_;
   float largest_radius_ = 1;
-  float tallest_ = 1;
-  std::vector<Chosen> near_;
-  std::vector<Chosen> mid_;
-  std::vector<Chosen> far_;
-  std::vector<Chosen> tufts_;
+  std::array<float, strata> tallest_{1, 1, 1};
+  std::vector<Candidate> candidates_;
+  PlantSelection out_;
 };
 
 }  // namespace
@@ -156,23 +240,31 @@ class Selector {
 PlantBudget PlantBudget::of(float quality) {
   PlantBudget budget;
   const float q = std::clamp(quality, 0.25F, 4.0F);
-  const auto times = [&](std::size_t count) { return std::size_t(float(count) * q); };
-  budget.near = times(budget.near);
-  budget.mid = times(budget.mid);
-  budget.far = times(budget.far);
-  budget.tufts = times(budget.tufts);
-  const float farther = std::sqrt(q);
+  const auto times = [](std::size_t count, float factor) { return std::size_t(float(count) * factor); };
+  budget.near = times(budget.near, q);
+  budget.mid = times(budget.mid, q);
+  // A GPU draws far plants by the million; a processor counts each.
+  const float far = q <= 1 ? q : std::pow(q, 2.9F);
+  budget.far = times(budget.far, far);
+  budget.resident = std::uint32_t(times(budget.resident, q <= 1 ? q : std::pow(q, 1.3F)));
+  budget.tufts = times(budget.tufts, q <= 1 ? q : std::pow(q, 1.6F));
+  const float farther = q <= 1 ? std::sqrt(q) : q;
   budget.tree_reach *= farther;
   budget.shrub_reach *= farther;
-  budget.herb_reach *= farther;
+  budget.herb_reach *= std::sqrt(q);
+  budget.blade_reach *= q <= 1 ? std::sqrt(q) : q;
+  if (q > 1) {
+    budget.near_pixels /= std::sqrt(q);
+    budget.mid_pixels /= std::sqrt(q);
+  }
   return budget;
 }
 
-PlantSelection select_plants(const PlantBlocks& blocks, const std::vector<PlantKind>& kinds, const SpeciesVisibility& visible,
-                             const PlantBudget& budget, const FrameUniforms& frame, const Frustum& frustum) {
+PlantSelection select_plants(const PlantBlocks& blocks, const PlantArena& arena, const std::vector<PlantKind>& kinds,
+                             const SpeciesVisibility& visible, const PlantBudget& budget, const FrameUniforms& frame,
+                             const Frustum& frustum) {
   Selector selector(kinds, visible, budget, frame, frustum);
-  selector.woody(blocks, Stratum::tree);
-  selector.woody(blocks, Stratum::shrub);
+  selector.woody(blocks, arena);
   selector.tufts(blocks);
   return selector.take();
 }

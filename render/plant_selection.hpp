@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "render/frame.hpp"
+#include "render/plant_arena.hpp"
 #include "render/plant_blocks.hpp"
 #include "render/plant_kinds.hpp"
 
@@ -10,33 +12,61 @@ namespace biotope {
 
 /// How many plants of each level of detail may be drawn, and how far one sees them.
 struct PlantBudget {
-  std::size_t near = 220;
-  std::size_t mid = 900;
+  std::size_t near = 90;
+  std::size_t mid = 700;
   std::size_t far = 25000;
-  std::size_t tufts = 4500;
+  std::size_t tufts = 9000;
   float tree_reach = 1900;  ///< m
-  float shrub_reach = 420;  ///< m
-  float herb_reach = 60;    ///< m
+  float shrub_reach = 600;  ///< m
+  float herb_reach = 80;    ///< m
+  float blade_reach = 8;    ///< m to which every blade of a tuft is drawn
+  /// Plants kept on the graphics side.
+  std::uint32_t resident = 400000;
+  /// Height on the screen, in pixels of a picture 540 high, from which a plant is a near or at least a mid mesh.
+  float near_pixels = 150;
+  float mid_pixels = 62;
+  /// From quality 0.25 on a software renderer to 4 on a strong GPU, where a million plants are a scene.
   [[nodiscard]] static PlantBudget of(float quality);
   [[nodiscard]] float reach(Stratum stratum) const {
     return stratum == Stratum::tree ? tree_reach : stratum == Stratum::shrub ? shrub_reach : herb_reach;
   }
 };
 
-/// Instances to draw in a frame: for every kind its near meshes, then its mid ones; all that are far together.
+/// Where levels of detail give way to each other: `lod` of the plant shaders.
+struct PlantLevels {
+  float near_pixels = 0;
+  float mid_pixels = 0;
+  float far_from = 0;  ///< m from which far plants thin out
+  float far_to = 0;    ///< m where none is left
+};
+
+/// What glMultiDrawArraysIndirect reads of a block.
+struct FarDraw {
+  std::uint32_t vertices = 4;
+  std::uint32_t plants = 0;
+  std::uint32_t first_vertex = 0;
+  std::uint32_t first_plant = 0;
+};
+
+/// What is drawn in a frame. Meshes by kind and model (plant_models * kind + model); tufts by kind.
 struct PlantSelection {
   std::vector<std::vector<PlantInstance>> near;
   std::vector<std::vector<PlantInstance>> mid;
-  std::vector<PlantInstance> far;
+  std::vector<std::vector<PlantInstance>> near_tufts;
+  std::vector<std::vector<PlantInstance>> far_tufts;
+  /// Of trees and of shrubs.
+  std::array<std::vector<FarDraw>, 2> far;
+  std::array<PlantLevels, 2> levels;
+  /// Metres over which tufts of blades give way to those drawn as cards, and where the last of these are.
+  glm::vec2 tuft_change{0};
+  float herb_reach = 0;
   std::size_t count = 0;
-  /// Distances between which far trees thin out, m.
-  float far_from = 0;
-  float far_to = 0;
 };
 
-/// Chooses level of detail by size on the screen and by the budget: a function of blocks and view alone.
-[[nodiscard]] PlantSelection select_plants(const PlantBlocks& blocks, const std::vector<PlantKind>& kinds,
-                                           const SpeciesVisibility& visible, const PlantBudget& budget,
-                                           const FrameUniforms& frame, const Frustum& frustum);
+/// Chooses level of detail by size on the screen and by the budget: a function of blocks and view alone. Far plants are drawn
+/// block by block from the arena, as many of each block as its distance leaves.
+[[nodiscard]] PlantSelection select_plants(const PlantBlocks& blocks, const PlantArena& arena,
+                                           const std::vector<PlantKind>& kinds, const SpeciesVisibility& visible,
+                                           const PlantBudget& budget, const FrameUniforms& frame, const Frustum& frustum);
 
 }  // namespace biotope

@@ -13,6 +13,10 @@ namespace {
 constexpr int patch_cells = ground_patch_cells;
 /// Side of the finest quads on coarse grids, m.
 constexpr double coarsest_quad = 10;
+/// Quality from which on small things are drawn: stones, rock seen from the side, sunken trails, glitter, small ripples.
+constexpr float detailed_quality = 0.75F;
+constexpr GLuint currents_unit = 11;
+
 Texture upload_rgba(const Grid<Rgba>& texels, const Sampling& sampling) {
   Texture texture = make_texture_2d(GL_RGBA8, texels.width(), texels.height(), 0, sampling);
   glTextureSubImage2D(texture.name(), 0, 0, 0, texels.width(), texels.height(), GL_RGBA, GL_UNSIGNED_BYTE, texels.cells().data());
@@ -24,7 +28,8 @@ Texture upload_rgba(const Grid<Rgba>& texels, const Sampling& sampling) {
 
 Result<std::unique_ptr<TerrainRenderer>> TerrainRenderer::create() {
   std::unique_ptr<TerrainRenderer> renderer(new TerrainRenderer);
-  constexpr std::array<const char*, 4> surfaces{"dry_near", "wet_near", "dry_far", "wet_far"};
+  constexpr std::array<const char*, 8> surfaces{"dry_near_low", "wet_near_low", "dry_far_low", "wet_far_low",
+                                                "dry_near",     "wet_near",     "dry_far",     "wet_far"};
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     auto program = load_shader_program("landscape/terrain.vert", std::string("landscape/terrain_") + surfaces[i] + ".frag");
     if (!program) return tl::unexpected(program.error());
@@ -80,18 +85,20 @@ void TerrainRenderer::take(std::shared_ptr<const GroundPicture> picture) {
   ground_.want(part(coming_->tints->ground));
   canopy_.want(part(coming_->tints->canopy));
   lines_.want(part(coming_->lines->lines));
+  currents_.want(part(coming_->lines->currents));
   sunlit_.want(part(coming_->light->sunlit));
 }
 
 bool TerrainRenderer::upload(UploadBudget& budget) {
   const bool there = heights_.upload(budget) && normals_.upload(budget) && ground_.upload(budget) && canopy_.upload(budget) &&
-                     lines_.upload(budget) && sunlit_.upload(budget);
+                     lines_.upload(budget) && currents_.upload(budget) && sunlit_.upload(budget);
   if (!there) return false;
   heights_.show();
   normals_.show();
   ground_.show();
   canopy_.show();
   lines_.show();
+  currents_.show();
   sunlit_.show();
   maker_.retire(std::exchange(shown_, std::exchange(coming_, nullptr)));
   return true;
@@ -120,6 +127,7 @@ void TerrainRenderer::finish(const TerrainLook& look, const glm::vec3& light_dir
 
 void TerrainRenderer::bind_shared() const {
   glBindTextureUnit(0, heights_.name());
+  glBindTextureUnit(2, ground_.name());
   glBindTextureUnit(3, detail_.name());
   glBindTextureUnit(6, sunlit_.name());
 }
@@ -143,16 +151,18 @@ DrawCount TerrainRenderer::draw(const TerrainLook& look, const glm::dvec3& eye, 
 
   bind_shared();
   glBindTextureUnit(1, normals_.name());
-  glBindTextureUnit(2, ground_.name());
   glBindTextureUnit(4, canopy_.name());
   glBindTextureUnit(5, lines_.name());
+  glBindTextureUnit(currents_unit, currents_.name());
   glBindVertexArray(patch_array_.name());
   int draw_calls = 0;
   std::size_t first = 0;
+  const std::size_t detailed = look.quality >= detailed_quality ? 4 : 0;
   for (std::size_t i = 0; i < by_variant.size(); ++i) {
     if (by_variant[i].empty()) continue;
-    set_look(programs_[i], look);
-    programs_[i].use();
+    const ShaderProgram& program = programs_[i + detailed];
+    set_look(program, look);
+    program.use();
     glDrawElementsInstancedBaseInstance(GL_TRIANGLES, patch_index_count_, GL_UNSIGNED_SHORT, nullptr,
                                         GLsizei(by_variant[i].size()), GLuint(first));
     first += by_variant[i].size();
@@ -166,7 +176,11 @@ int TerrainRenderer::variant(const GroundPatch& patch, const TerrainLook& look, 
   const glm::vec2 heights = shown_->shape->bounds.of(patch.west, patch.south, patch.side);
   const glm::vec3 offset = glm::vec3(middle, 0.5F * (heights.x + heights.y)) - glm::vec3(eye);
   const float farthest = glm::length(offset) + glm::length(glm::vec3(patch.side, patch.side, heights.y - heights.x)) * 0.5F;
-  const bool canopy = look.canopy_strength > 0 && farthest > look.canopy_from;
+  // Beyond the border no plants are drawn: there crowns are painted from near on.
+  const Terrain& terrain = shown_->terrain();
+  const bool beyond = patch.west < 0 || patch.south < 0 || patch.west + patch.side > float(terrain.width_metres()) ||
+                      patch.south + patch.side > float(terrain.height_metres());
+  const bool canopy = look.canopy_strength > 0 && (beyond || farthest > look.canopy_from);
   bool water = false;
   if (look.water) {
     const Grid<std::uint8_t>& near_water = shown_->lines->near_water;

@@ -49,7 +49,7 @@ class TerrainRenderer {
   [[nodiscard]] bool ready() const { return shown_ && snapshot_ && same_extent(shown_->terrain(), snapshot_->terrain()); }
   DrawCount draw(const TerrainLook& look, const glm::dvec3& eye, const Frustum& frustum) const;
 
-  /// Binds height and sunlight textures (units 0 and 6), which plants and animals read too.
+  /// Binds textures of height, ground colours and sunlight (units 0, 2 and 6), which plants and animals read too.
   void bind_shared() const;
   /// The tileable noise texture.
   [[nodiscard]] GLuint detail() const { return detail_.name(); }
@@ -79,8 +79,8 @@ class TerrainRenderer {
   std::shared_ptr<const GroundPicture> shown_;
   /// Made, and being uploaded.
   std::shared_ptr<const GroundPicture> coming_;
-  /// By variant: 1 when water may be near, 2 when crowns are painted on the ground.
-  std::array<ShaderProgram, 4> programs_;
+  /// By variant: 1 when water may be near, 2 when crowns are painted on the ground; 4 more with small things.
+  std::array<ShaderProgram, 8> programs_;
   VertexArray patch_array_;
   Buffer patch_vertices_;
   Buffer patch_indices_;
@@ -91,6 +91,7 @@ class TerrainRenderer {
   StreamedTexture<Rgba> ground_{mirrored_mipmapped};
   StreamedTexture<Rgba> canopy_{mirrored_mipmapped};
   StreamedTexture<Rg> lines_{mirrored_mipmapped};
+  StreamedTexture<Rgba> currents_{mirrored};
   StreamedTexture<std::uint8_t> sunlit_{mirrored};
   Texture detail_;
   GroundMaker maker_;

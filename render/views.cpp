@@ -2,8 +2,11 @@
 #include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <memory>
+#include <vector>
 
 #include "render/landscape_renderer.hpp"
+#include "render/plant_placement.hpp"
 
 namespace biotope {
 
@@ -75,12 +78,42 @@ double view_score(const MapsSnapshot& snapshot, const glm::dvec3& eye, double he
   return visible + wet + 30 * std::clamp(highest, 0.0, 0.3);
 }
 
+/// Trees within `reach` metres of a place.
+std::vector<PlantInstance> trees_around(const MapsSnapshot& snapshot, glm::dvec2 place, double reach) {
+  std::vector<PlantInstance> trees;
+  if (!snapshot.web || snapshot.cover.empty()) return trees;
+  const PlantPlacement placement(std::make_shared<const MapsSnapshot>(snapshot));
+  const auto block_at = [](double metres) { return int(std::floor(metres / double(woody_block_side))); };
+  for (int row = block_at(place.y - reach); row <= block_at(place.y + reach); ++row) {
+    for (int column = block_at(place.x - reach); column <= block_at(place.x + reach); ++column) {
+      const auto block = placement.block(Stratum::tree, column, row);
+      trees.insert(trees.end(), block.begin(), block.end());
+    }
+  }
+  return trees;
+}
+
+/// How much of a view trees close before the eye leave free, 0..1.
+double free_sight(const std::vector<PlantInstance>& trees, const glm::dvec3& eye, double heading) {
+  double hidden = 0;
+  for (const PlantInstance& tree : trees) {
+    const glm::dvec2 to(double(tree.x) - eye.x, double(tree.y) - eye.y);
+    const double away = std::max(1.0, glm::length(to));
+    const double ahead = (to.x * std::sin(heading) + to.y * std::cos(heading)) / away;
+    // Branches of the nearest reach into the picture from all sides but the back; others hide what they stand before.
+    if (away < 8 && ahead > -0.6) hidden += 4;
+    if (ahead > 0.9) hidden += std::pow(9 / away, 2.0);
+  }
+  return 1 / (1 + hidden);
+}
+
 }  // namespace
 
 Camera first_view(const MapsSnapshot& snapshot) {
   const Terrain& terrain = snapshot.terrain();
   const glm::dvec2 water = metres_of(terrain, water_spot(snapshot));
   const double reach = std::max(terrain.width_metres(), terrain.height_metres());
+  const std::vector<PlantInstance> trees = trees_around(snapshot, water, 75);
   Camera camera;
   double best = -1;
   // From a bank some way off, over the water and along the valley.
@@ -90,7 +123,7 @@ Camera first_view(const MapsSnapshot& snapshot) {
       const double x = std::clamp(water.x - std::sin(heading) * back, 0.0, terrain.width_metres());
       const double y = std::clamp(water.y - std::cos(heading) * back, 0.0, terrain.height_metres());
       const glm::dvec3 eye(x, y, ground_height(terrain, x, y) + 5.5);
-      double score = view_score(snapshot, eye, heading, reach);
+      double score = view_score(snapshot, eye, heading, reach) * (0.3 + 0.7 * free_sight(trees, eye, heading));
       if (snapshot.tree_cover) {
         const int cx = std::clamp(int(x / terrain.cell_size), 0, terrain.height.width() - 1);
         const int cy = std::clamp(terrain.height.height() - 1 - int(y / terrain.cell_size), 0, terrain.height.height() - 1);

@@ -149,12 +149,13 @@ void Autosave::retire_rescued(EditorState& state) const {
 void Autosave::start_writing(const EditorState& state) {
   written_edits_ = state.edits;
   written_stroking_ = state.painting.stroking();
-  writing_.start("Autosave", [file = file_, document = state.document, cache = cache_](const TaskContext&) -> Result<bool> {
+  writing_.start("Autosave", [file = file_, document = state.document, cache = cache_,
+                              views = saved_views_to_json(state.views)](const TaskContext&) -> Result<bool> {
     // The window and the maps come first: one thread, behind the others.
     setpriority(PRIO_PROCESS, 0, 10);
     Status saved;
     tbb::task_arena one_thread(1);
-    one_thread.execute([&] { saved = save_scene(file, document, cache.get()); });
+    one_thread.execute([&] { saved = save_scene(file, document, cache.get(), views); });
     if (!saved) return tl::unexpected(saved.error());
     return true;
   });

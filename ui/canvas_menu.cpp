@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/editor_actions.hpp"
+#include "ui/exploring.hpp"
 #include "ui/format.hpp"
 
 namespace biotope {
@@ -64,6 +65,9 @@ void draw_cell_menu(const UiContext& ui, int x, int y) {
   if (ImGui::MenuItem(chosen ? ("Paint " + name).c_str() : "Paint", ui.commands.keys("tool.brush").c_str(), false, chosen)) {
     state.tool = Tool::add;
   }
+  const PathPoint cell{float(x), float(y)};
+  if (ImGui::MenuItem("Look at this place in 3D")) show_place(state, cell);
+  if (ImGui::MenuItem("Walk here", ui.commands.keys("explore.walk").c_str())) walk_at(state, cell);
   ImGui::Separator();
   if (web == nullptr || !state.shown) {
     hint(ui.theme, "Still being computed");

@@ -6,6 +6,7 @@
 #include "ui/format.hpp"
 #include "ui/icons.hpp"
 #include "ui/parts.hpp"
+#include "ui/weather_control.hpp"
 
 namespace biotope {
 namespace {
@@ -145,7 +146,8 @@ void draw_clock_bar(const UiContext& ui, ImVec2 size) {
   ImGui::SetCursorPos(ImVec2(start.x - theme.px(3), start.y + theme.px(40)));
   ImGui::TextUnformatted(format_clock(state.clock.hour).c_str());
   const float left = start.x + theme.px(52);
-  const float width = std::max(size.x - left - right_width - theme.px(24), theme.px(60));
+  const float weather_width = theme.px(126);
+  const float width = std::max(size.x - left - right_width - weather_width - theme.px(38), theme.px(60));
   const float height = theme.px(44);
   ImGui::SetCursorPos(ImVec2(left, start.y));
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -157,6 +159,8 @@ void draw_clock_bar(const UiContext& ui, ImVec2 size) {
   draw_day(ui, at, ImVec2(width, height));
   draw_hours(theme, ImVec2(at.x, at.y + height + theme.px(1)), width);
   ImGui::SetCursorPos(ImVec2(left + width + theme.px(14), start.y));
+  draw_weather_control(ui, weather_width);
+  ImGui::SetCursorPos(ImVec2(left + width + weather_width + theme.px(28), start.y));
   draw_speed_and_month(ui, right_width);
   const bool over = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
   const auto is_space = [](const KeyPress& press) { return press.keys == Shortcut{' ', false, false, false} && !press.repeat; };

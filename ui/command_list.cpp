@@ -2,6 +2,7 @@
 
 #include "ui/commands.hpp"
 #include "ui/editor_actions.hpp"
+#include "ui/exploring_commands.hpp"
 #include "ui/icons.hpp"
 #include "ui/painting_commands.hpp"
 #include "ui/recording_commands.hpp"
@@ -46,6 +47,7 @@ void add_file(std::vector<EditorCommand>& list) {
   list.push_back(plain("file.screenshot", "File", "Screenshot", "F12", "Write the window to a PNG in your pictures folder",
                        icons::camera, [](EditorState& s) { s.wants_screenshot = true; }));
   with_line(list.back());
+  add_picture_commands(list);
   list.push_back(plain("file.quit", "File", "Quit", "Ctrl+Q", "Close the editor", icons::close,
                        [](EditorState& s) { s.wants_close = true; }));
   with_line(list.back());
@@ -108,6 +110,7 @@ void add_view(std::vector<EditorCommand>& list) {
                        icons::frame, [](EditorState& s) {
                          s.view.framed = false;
                          s.view.camera_placed = false;
+                         s.exploring = {};
                          s.view.camera_untouched = false;
                        }));
   with_line(list.back()).enabled = has_document;
@@ -173,6 +176,7 @@ std::vector<EditorCommand> editor_commands() {
   add_painting_commands(list);
   add_brush(list);
   add_view(list);
+  add_exploring_commands(list);
   add_simulation(list);
   add_window(list);
   return list;

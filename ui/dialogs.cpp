@@ -1,5 +1,7 @@
 #include "ui/dialogs.hpp"
 
+#include <imgui_stdlib.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -7,7 +9,9 @@
 #include "ui/editor_actions.hpp"
 #include "ui/format.hpp"
 #include "ui/icons.hpp"
+#include "ui/panels/views_window.hpp"
 #include "ui/parts.hpp"
+#include "ui/quality.hpp"
 
 namespace biotope {
 namespace {
@@ -141,6 +145,13 @@ bool begin_modal(const UiContext& ui, const char* title, bool& open, float width
   return shown;
 }
 
+bool draw_file_name(const UiContext& ui, std::string& name, bool typing) {
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-1);
+  const bool entered = ImGui::InputTextWithHint("##name", "File name", &name, ImGuiInputTextFlags_EnterReturnsTrue);
+  return entered || (!typing && take_key(ui.state, DialogKey::enter));
+}
+
 void align_buttons(const Theme& theme, int count, float width) {
   const float all = float(count) * theme.px(width) + float(count - 1) * ImGui::GetStyle().ItemSpacing.x;
   ImGui::SetCursorPosX(std::max(ImGui::GetContentRegionMax().x - all, ImGui::GetCursorPosX()));
@@ -193,7 +204,7 @@ void draw_settings_dialog(const UiContext& ui) {
     settings.scale = scales[chosen];
     state.theme_changed = true;
   }
-  labelled_slider(ui.theme, "Detail of the 3D view", settings.quality, 0.25F, 2, format_percent(settings.quality));
+  draw_quality_setting(ui);
   auto undo_memory = float(settings.history_megabytes);
   if (labelled_slider(ui.theme, "Memory for undo", undo_memory, 128, 8192,
                       format_bytes(std::size_t(settings.history_megabytes) << 20))) {
@@ -222,9 +233,11 @@ void draw_dialogs(const UiContext& ui) {
   draw_file_dialogs(ui);
   draw_file_request(ui);
   draw_playing(ui);
+  draw_unsaved_recording(ui);
   draw_select_range(ui);
   draw_shortcut_list(ui);
   draw_settings_dialog(ui);
+  draw_picture_dialog(ui);
   draw_sample_list(ui);
   draw_about(ui);
   draw_recovery(ui);

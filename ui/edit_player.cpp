@@ -63,16 +63,33 @@ void take_steps_made(EditorState& state) {
   state.painting.follow(state.document);
 }
 
-}  // namespace
-
-std::size_t history_step(const EditorState& state) { return state.history.dropped() + state.history.position(); }
-
-void start_recording(EditorState& state) {
-  if (!state.has_document || state.player.running()) return;
+void begin_recording(EditorState& state) {
   state.history.end_merging();
   state.recorder.start(state.document, history_step(state));
   state.edit_listener = [](EditorState& s, const Edit& edit) { s.recorder.record(edit, s.document, history_step(s)); };
   announce(state, "Recording what you do; File > Stop recording and save ends it");
+}
+
+}  // namespace
+
+std::size_t history_step(const EditorState& state) { return state.history.dropped() + state.history.position(); }
+
+void unless_recording_unsaved(EditorState& state, std::function<void(EditorState&)> then) {
+  if (!state.recorder.unsaved()) {
+    then(state);
+    return;
+  }
+  state.player.after_recording = std::move(then);
+  state.dialogs.unsaved_recording = true;
+}
+
+void start_recording(EditorState& state) {
+  if (state.has_document && !state.player.running()) unless_recording_unsaved(state, begin_recording);
+}
+
+void drop_recording(EditorState& state) {
+  state.recorder = {};
+  state.edit_listener = {};
 }
 
 void stop_and_save_recording(EditorState& state) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -31,6 +32,8 @@ struct EditPlayer {
   BackgroundTask<std::size_t> saving;
   std::shared_ptr<Queue> queue;
   std::string name;
+  /// What waits for an answer about an unsaved recording.
+  std::function<void(EditorState&)> after_recording;
   /// Entries that are done, of all.
   std::size_t done = 0;
   std::size_t count = 0;
@@ -41,8 +44,12 @@ struct EditPlayer {
 
 // Recording.
 
-/// Begins to record what the person does from now on; what was recorded before and not saved is dropped.
+/// Calls `then` at once, or after asking when that would lose recorded edits that are not saved.
+void unless_recording_unsaved(EditorState& state, std::function<void(EditorState&)> then);
+/// Begins to record what the person does from now on; asks first when a recording is not saved.
 void start_recording(EditorState& state);
+/// Ends recording and forgets it.
+void drop_recording(EditorState& state);
 /// Ends recording, and asks for a file to save it in.
 void stop_and_save_recording(EditorState& state);
 /// Number of the history's newest step that is done, however many old ones were dropped.

@@ -29,6 +29,8 @@ void set_document(EditorState& state, Document document) {
   state.view.framed = false;
   state.view.camera_placed = false;
   state.view.camera_untouched = true;
+  state.exploring = {};
+  forget_herd(state);
   state.view.visible_species.clear();
   state.selected_species = -1;
   state.also_selected.clear();
@@ -56,6 +58,22 @@ void set_document(EditorState& state, Document document) {
   state.must_post = false;
 }
 
+/// Bookmarks and the camera's path of the scene that was opened. Damage to them is told and takes nothing else away.
+void load_views(EditorState& state, const std::string& input) {
+  state.views = {};
+  state.pictures.playing = -1;
+  state.pictures.day_passes = false;
+  if (std::filesystem::path(input).extension() != ".biotope") return;
+  const auto text = load_scene_views(input);
+  if (!text) return complain(state, "The bookmarks could not be read", text.error());
+  auto views = parse_saved_views(*text, input + ": views.json");
+  if (!views) return complain(state, "The bookmarks could not be read", views.error());
+  state.views = std::move(*views);
+  if (!state.views.path.hours) return;
+  state.pictures.day_passes = true;
+  state.pictures.hours = {float((*state.views.path.hours)[0]), float((*state.views.path.hours)[1])};
+}
+
 void finish_loading(EditorState& state) {
   const std::string what = state.loading.what();
   std::optional<Result<Document>> loaded = state.loading.take();
@@ -77,6 +95,7 @@ void finish_loading(EditorState& state) {
   const bool is_scene = std::filesystem::path(what).extension() == ".biotope" && what != state.recovery_file;
   state.scene_file = is_scene ? std::filesystem::path(what) : std::filesystem::path();
   set_document(state, std::move(**loaded));
+  load_views(state, what);
   if (what == state.recovery_file) {
     state.edits = 1;  // rescued work is not saved yet
     state.rescued = true;
@@ -184,8 +203,9 @@ void save_as(EditorState& state, std::filesystem::path file) {
     return;
   }
   state.saved_edits = state.edits;
-  state.saving.start("Saving", [file, document = state.document](const TaskContext&) -> Result<bool> {
-    const Status saved = save_scene(file, document);
+  const std::string views = saved_views_to_json(state.views);
+  state.saving.start("Saving", [file, document = state.document, views](const TaskContext&) -> Result<bool> {
+    const Status saved = save_scene(file, document, nullptr, views);
     if (!saved) return tl::unexpected(saved.error());
     return true;
   });

@@ -41,8 +41,8 @@ void cancel_work(EditorState& state);
 [[nodiscard]] std::string paint_hindrance(const EditorState& state);
 /// Once a frame: has the map under the brush made ready in the background, so that the first dab does not wait for it.
 void prepare_painting(EditorState& state);
-void begin_stroke(EditorState& state, float x, float y);
-void continue_stroke(EditorState& state, float x, float y);
+void begin_stroke(EditorState& state, float x, float y, float pressure = 1);
+void continue_stroke(EditorState& state, float x, float y, float pressure = 1);
 void end_stroke(EditorState& state);
 /// The brush with the mode of the tool and the limits of the target.
 [[nodiscard]] Brush brush_of_tool(const EditorState& state);

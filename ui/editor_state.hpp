@@ -23,6 +23,7 @@
 #include "ui/chain_changes.hpp"
 #include "ui/edit_player.hpp"
 #include "ui/edit_recorder.hpp"
+#include "ui/exploring.hpp"
 #include "ui/file_listing.hpp"
 #include "ui/file_request.hpp"
 #include "ui/herd_day.hpp"
@@ -33,11 +34,13 @@
 #include "ui/painting_state.hpp"
 #include "ui/pending_edits.hpp"
 #include "ui/placing_session.hpp"
+#include "ui/saved_views.hpp"
 #include "ui/settings.hpp"
 #include "ui/shortcut.hpp"
 #include "ui/species_figures.hpp"
 #include "ui/tools.hpp"
 #include "ui/trail_figures.hpp"
+#include "ui/view_actions.hpp"
 
 namespace biotope {
 
@@ -80,6 +83,14 @@ struct EditorView {
   /// 'Why?' follows the pointer instead of waiting for clicks.
   bool why_follows = false;
   float opacity = 0.85F;
+  /// What drawing the 3D view costs, over it.
+  bool statistics = false;
+  /// Factor of the quality level (LandscapeOptions::quality); the measured one where the level is automatic.
+  float quality = 0.5F;
+  /// The 3D view is drawn by the processor.
+  bool software = false;
+  /// Time of what moves by itself in the 3D view, s.
+  double seconds = 0;
   std::vector<bool> visible_species;
 };
 
@@ -96,7 +107,8 @@ struct CellQuestion {
 /// Where the pointer went with the left button held since it was last drawn, window pixels: a stroke follows every point of it,
 /// however slowly the window draws.
 struct PointerPath {
-  std::vector<std::array<float, 2>> points;
+  /// x, y, pressure 0..1 (1 for a mouse).
+  std::vector<std::array<float, 3>> points;
   bool held = false;
 };
 
@@ -133,6 +145,9 @@ struct OpenDialogs {
   bool recovery = false;
   bool first_steps = false;
   bool select_range = false;
+  bool views = false;
+  bool picture = false;
+  bool unsaved_recording = false;
 };
 
 /// What the terrain panel says about the ground.
@@ -217,6 +232,10 @@ struct EditorState {
   HerdDay herd_day;
 
   EditorView view;
+  Exploring exploring;
+  /// Bookmarks and the camera's path; saved with the scene.
+  SavedViews views;
+  PictureSession pictures;
   EditorClock clock;
   Tool tool = Tool::select;
   Brush brush;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/panels/food_chain.hpp"
+#include "ui/panels/views_window.hpp"
 #include "ui/parts.hpp"
 
 namespace biotope {
@@ -82,6 +83,7 @@ void EditorWindow::draw(const UiContext& ui) {
   const float middle = screen.y - menu - status;
   const float views = std::max(screen.x - tools - inspector, theme.px(120));
   ui.state.pointer.over_map = false;
+  landscape_->make_pictures(ui.state);
 
   begin_part("tools", ImVec2(0, menu), ImVec2(tools, middle), theme.window, ImVec2(theme.px(6), theme.px(6)));
   draw_toolbar(ui);
@@ -110,6 +112,8 @@ void EditorWindow::draw(const UiContext& ui) {
   ImGui::End();
 
   draw_food_chain(ui);
+  draw_views_window(ui);
+  draw_export_card(ui);
   draw_dialogs(ui);
   if (ui.state.messages.empty()) import_.draw(ui);
   handle_shortcuts(ui, landscape_->takes_letters());

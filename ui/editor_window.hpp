@@ -20,7 +20,7 @@ class EditorWindow {
   /// True while the pictures are not yet what they will be.
   [[nodiscard]] bool refining() const {
     return (mode_ != ViewMode::landscape && map_->refining()) || (mode_ != ViewMode::map && landscape_->refining()) ||
-           import_.busy();
+           import_.busy() || landscape_->makes_pictures();
   }
 
  private:

@@ -109,14 +109,13 @@ void draw_open(const UiContext& ui) {
   const bool opening = state.dialogs.open_file && !ImGui::IsPopupOpen("Open a scene or a terrain");
   if (opening) start_browsing(state, false);
   if (!begin_modal(ui, "Open a scene or a terrain", state.dialogs.open_file, 640, 520)) return;
+  const bool typing = ImGui::IsAnyItemActive();
   draw_path_row(ui);
   const auto rows = float(std::min<std::size_t>(state.settings.recent.size(), most_shown_recent) + 1);
   const float recent = rows > 1 ? rows * ImGui::GetTextLineHeightWithSpacing() + ui.theme.px(4) : 0;
   bool accepted = draw_listing(ui, ImGui::GetContentRegionAvail().y - recent - ui.theme.px(76));
   const std::string picked = draw_recent(ui);
-  ImGui::SetNextItemWidth(-1);
-  accepted =
-      ImGui::InputTextWithHint("##name", "File name", &state.browser.name, ImGuiInputTextFlags_EnterReturnsTrue) || accepted;
+  accepted = draw_file_name(ui, state.browser.name, typing) || accepted;
   align_buttons(ui.theme, 2, button_width);
   const bool cancelled = ImGui::Button("Cancel", ImVec2(ui.theme.px(button_width), 0));
   ImGui::SameLine();
@@ -145,11 +144,10 @@ void draw_save(const UiContext& ui) {
   if (!begin_modal(ui, "Save the scene", state.dialogs.save_file, 600, 440)) {
     return;
   }
+  const bool typing = ImGui::IsAnyItemActive();
   draw_path_row(ui);
   bool accepted = draw_listing(ui, ImGui::GetContentRegionAvail().y - ui.theme.px(100));
-  ImGui::SetNextItemWidth(-1);
-  accepted =
-      ImGui::InputTextWithHint("##name", "File name", &state.browser.name, ImGuiInputTextFlags_EnterReturnsTrue) || accepted;
+  accepted = draw_file_name(ui, state.browser.name, typing) || accepted;
   std::filesystem::path file = state.browser.folder / state.browser.name;
   if (file.extension() != ".biotope") file += ".biotope";
   if (state.browser.confirm_overwrite) {

@@ -93,10 +93,10 @@ void draw_file_request(const UiContext& ui) {
   bool cancelled = !open;
   if (shown) {
     FileBrowser& browser = request.browser;
+    const bool typing = ImGui::IsAnyItemActive();
     draw_folder_row(ui, browser);
     accepted = draw_files(ui, browser, ImGui::GetContentRegionAvail().y - ui.theme.px(100));
-    ImGui::SetNextItemWidth(-1);
-    accepted = ImGui::InputTextWithHint("##name", "File name", &browser.name, ImGuiInputTextFlags_EnterReturnsTrue) || accepted;
+    accepted = draw_file_name(ui, browser.name, typing) || accepted;
     if (browser.confirm_overwrite) {
       ImGui::TextColored(ui.theme.attention, "This file is there already. %s again to replace it.", request.action.c_str());
     } else {

@@ -77,5 +77,22 @@ inline constexpr const char* stamp = "\xef\x87\xbc";
 inline constexpr const char* layers = "\xef\x89\x8d";
 inline constexpr const char* fire = "\xef\x81\xad";
 inline constexpr const char* ban = "\xef\x81\x9e";
+inline constexpr const char* fair = "\xef\x86\x85";
+inline constexpr const char* cloud = "\xef\x83\x82";
+inline constexpr const char* rain = "\xef\x83\xa9";
+inline constexpr const char* fog = "\xef\x83\x89";
+inline constexpr const char* storm = "\xef\x83\xa7";
+inline constexpr const char* walk = "\xef\x86\xae";
+inline constexpr const char* follow = "\xef\x81\x9b";
+inline constexpr const char* bookmark = "\xef\x80\xae";
+inline constexpr const char* film = "\xef\x80\x88";
+inline constexpr const char* next = "\xef\x81\x91";
+inline constexpr const char* previous = "\xef\x81\x88";
+inline constexpr const char* place = "\xef\x81\x81";
+inline constexpr const char* compass = "\xef\x85\x8e";
+inline constexpr const char* pencil = "\xef\x81\x80";
+inline constexpr const char* stop = "\xef\x81\x8d";
+inline constexpr const char* meter = "\xef\x83\xa4";
+inline constexpr const char* snow = "\xef\x8b\x9c";
 
 }  // namespace biotope::icons

@@ -52,7 +52,7 @@ void draw_inspector(const UiContext& ui) {
   // The brush takes what it needs, as it was drawn last, and leaves the list above room for a few lines.
   const float brush_height = !brush ? 0 : std::min(state.paint.brush_height + ui.theme.px(10), (available - layers_room) * 0.62F);
   const float why_height = why ? std::min(ui.theme.px(230), available * 0.42F) : 0;
-  const float herd_height = herd ? std::min(ui.theme.px(330), available * 0.5F) : 0;
+  const float herd_height = herd ? std::min(ui.theme.px(400), available * 0.56F) : 0;
   const float list_height = std::max(available - brush_height - why_height - herd_height - layers_room, ui.theme.px(80));
   ImGui::BeginChild("tab panel", ImVec2(0, list_height));
   draw_tab_panel(ui);

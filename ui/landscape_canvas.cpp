@@ -1,27 +1,34 @@
 #include "ui/landscape_canvas.hpp"
 
 #include <epoxy/gl.h>
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "ui/camera_motion.hpp"
 #include "ui/canvas_menu.hpp"
 #include "ui/editor_actions.hpp"
+#include "ui/exploring.hpp"
+#include "ui/landscape_click.hpp"
 #include "ui/map_furniture.hpp"
+#include "ui/mode_badge.hpp"
 #include "ui/placing_overlay.hpp"
+#include "ui/quality.hpp"
 #include "ui/tool_gestures.hpp"
+#include "ui/weather_control.hpp"
 
 namespace biotope {
 namespace {
 
 constexpr double wanted_seconds = 1.0 / 24;  // of a moving picture; map and window take their share of the frame too
 constexpr double coarsest = 0.4;             // share of the resolution below which one no longer sees what is there
-constexpr double rest_seconds = 0.25;        // after which the picture is drawn sharp
+constexpr double longest_seconds = 36000;    // after which what moves begins again: waves need exact times
+constexpr std::size_t pictures_to_measure = 3;
+constexpr double slice_seconds = 0.02;  // of a frame for pictures into files
+constexpr double rest_seconds = 0.25;   // after which the picture is drawn sharp
 
 bool same_camera(const Camera& a, const Camera& b) {
   return a.position == b.position && a.heading == b.heading && a.pitch == b.pitch && a.vertical_field == b.vertical_field;
@@ -29,7 +36,8 @@ bool same_camera(const Camera& a, const Camera& b) {
 
 bool same_options(const LandscapeOptions& a, const LandscapeOptions& b) {
   return a.hour == b.hour && a.month == b.month && a.plants == b.plants && a.animals == b.animals && a.trails == b.trails &&
-         a.water == b.water && a.quality == b.quality && a.weather == b.weather && a.seconds == b.seconds && a.visible_species == b.visible_species && a.brush == b.brush;
+         a.water == b.water && a.quality == b.quality && a.weather == b.weather && a.seconds == b.seconds &&
+         a.visible_species == b.visible_species && a.brush == b.brush;
 }
 
 bool drawn_by_processor() {
@@ -37,14 +45,6 @@ bool drawn_by_processor() {
   const std::string_view renderer = name != nullptr ? name : "";
   return renderer.find("llvmpipe") != std::string_view::npos || renderer.find("softpipe") != std::string_view::npos;
 }
-
-/// The ground as it is drawn.
-const Terrain& ground_of(const EditorState& state) {
-  const bool known = state.shown && state.shown->document.terrain == state.document.terrain;
-  return known ? state.shown->terrain() : *state.document.terrain;
-}
-
-bool dragged(ImGuiMouseButton button) { return ImGui::IsMouseDragging(button, 0); }
 
 }  // namespace
 
@@ -73,6 +73,30 @@ void LandscapeCanvas::place_camera(EditorState& state) {
   }
 }
 
+std::optional<glm::dvec3> LandscapeCanvas::followed_place(const EditorState& state) {
+  const Exploring& exploring = state.exploring;
+  const DailyPlan* plan = exploring.following ? chosen_plan(state) : nullptr;
+  if (plan == nullptr) return std::nullopt;
+  if (exploring.member >= 0) {
+    const auto animal = renderer_->animal(int(plan - state.shown->plans->data()), exploring.member, state.clock.hour);
+    if (animal) return animal->place;
+  }
+  return chosen_herd_place(state);
+}
+
+void LandscapeCanvas::follow_quality(EditorState& state) {
+  const QualityLevel level = state.settings.quality_level;
+  measuring_ = false;
+  if (level != QualityLevel::automatic) {
+    measured_seconds_.clear();
+    state.view.quality = quality_factor(level);
+    return;
+  }
+  // What has been measured at low holds for the rest of the session.
+  measuring_ = !software_ && measured_seconds_.size() < pictures_to_measure;
+  state.view.quality = quality_factor(measuring_ ? QualityLevel::low : measured_level(measured_seconds_, software_));
+}
+
 void LandscapeCanvas::draw_picture(const UiContext& ui, int width, int height) {
   EditorState& state = ui.state;
   // A new ground is shown at once and what lives on it when all of it is known: a picture of each snapshot in between would only
@@ -86,11 +110,13 @@ void LandscapeCanvas::draw_picture(const UiContext& ui, int width, int height) {
   wanted.options.animals = state.view.herds;
   wanted.options.trails = state.view.trails;
   wanted.options.water = state.view.water;
-  wanted.options.quality = state.settings.quality;
+  wanted.options.quality = state.view.quality;
   wanted.options.visible_species = state.view.visible_species;
-  if (under_pointer_ && is_brush(state.tool)) {
-    const PathPoint cell = cell_of(ground_of(state), *under_pointer_);
-    wanted.options.brush = glm::vec3(cell.x, cell.y, state.brush.radius);
+  wanted.options.weather = state.settings.weather;
+  wanted.options.seconds = state.view.seconds;
+  // The ring follows the pointer over the map too.
+  if (is_brush(state.tool) && state.pointer.over_map) {
+    wanted.options.brush = glm::vec3(state.pointer.x, state.pointer.y, state.brush.radius);
   }
   const double now = ImGui::GetTime();
   renderer_->set_snapshot(wanted.snapshot);
@@ -104,7 +130,8 @@ void LandscapeCanvas::draw_picture(const UiContext& ui, int width, int height) {
   const bool resting = now - last_change_ > rest_seconds && complete;
   const double resolution = software_ && !resting ? resolution_ : 1.0;
   refining_ = (software_ && !resting && resolution < 1) || !complete;
-  if (same && drawn_resolution_ >= resolution) return;
+  const bool measures = measuring_ && complete && state.shown->complete;
+  if (same && drawn_resolution_ >= resolution && !measures) return;
   // A picture that takes long even when it is coarse is drawn less often, so that the rest of the window keeps its pace.
   const bool moves_slowly = software_ && has_picture_ && width == drawn_.width && height == drawn_.height && !resting;
   if (moves_slowly && now - drawn_at_ < 1.5 * drawn_seconds_) {
@@ -117,47 +144,20 @@ void LandscapeCanvas::draw_picture(const UiContext& ui, int width, int height) {
   const auto begin = std::chrono::steady_clock::now();
   target_->bind();
   renderer_->draw(wanted.camera, wanted.options, target_width, target_height);
+  if (software_ || measures) glFinish();
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (measures) measured_seconds_.push_back(seconds);
+  refining_ = refining_ || measuring_;
   if (software_) {
-    glFinish();
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     // What a full picture costs tells how coarse a moving one must be; half-way steps keep it from flickering.
     const double fitting = resolution * std::sqrt(wanted_seconds / std::max(seconds, 1e-4));
     resolution_ = std::clamp(0.5 * resolution_ + 0.5 * fitting, coarsest, 1.0);
-    drawn_seconds_ = seconds;
   }
+  drawn_seconds_ = software_ || measures ? seconds : 0;
   drawn_ = std::move(wanted);
   drawn_resolution_ = resolution;
   drawn_at_ = ImGui::GetTime();
   has_picture_ = true;
-}
-
-void LandscapeCanvas::handle_wheel(const UiContext& ui, PixelPoint canvas, PixelPoint pixel) const {
-  const float wheel = ImGui::GetIO().MouseWheel;
-  if (wheel == 0) return;
-  EditorView& view = ui.state.view;
-  const glm::dvec3 direction(ray_through(view.camera, canvas, pixel));
-  const double away = under_pointer_ ? glm::length(*under_pointer_ - view.camera.position) : 200.0;
-  view.camera.position += direction * std::max(away, 4.0) * (1 - std::pow(0.85, double(wheel)));
-  view.camera_untouched = false;
-}
-
-void LandscapeCanvas::handle_fly_keys(const UiContext& ui) const {
-  EditorState& state = ui.state;
-  const ImGuiIO& io = ImGui::GetIO();
-  if (io.KeyCtrl || io.KeyAlt || io.WantTextInput) return;
-  const auto held = [&](int key) { return io.KeysDown[key] ? 1.0 : 0.0; };
-  const double right = held(GLFW_KEY_D) - held(GLFW_KEY_A);
-  const double forward = held(GLFW_KEY_W) - held(GLFW_KEY_S);
-  const double up = held(GLFW_KEY_E) - held(GLFW_KEY_Q);
-  if (right == 0 && forward == 0 && up == 0) return;
-  const Terrain& terrain = ground_of(state);
-  const double ground = ground_height(terrain, std::clamp(state.view.camera.position.x, 0.0, terrain.width_metres()),
-                                      std::clamp(state.view.camera.position.y, 0.0, terrain.height_metres()));
-  // Faster the higher one flies.
-  const double metres = std::clamp(state.view.camera.position.z - ground, 4.0, 4000.0) * (io.KeyShift ? 4.0 : 1.2) *
-                        std::min(double(io.DeltaTime), 0.1);
-  state.view.camera = moved(state.view.camera, right * metres, forward * metres, up * metres);
-  state.view.camera_untouched = false;
 }
 
 void LandscapeCanvas::follow_stroke(const UiContext& ui, PixelPoint canvas) {
@@ -168,7 +168,7 @@ void LandscapeCanvas::follow_stroke(const UiContext& ui, PixelPoint canvas) {
     const auto ground = pick_ground(terrain, state.view.camera.position, ray);
     if (!ground) continue;
     const PathPoint cell = cell_of(terrain, *ground);
-    drag_tool(state, cell);
+    drag_tool(state, cell, point[2]);
   }
   state.path.points.clear();
   if (state.path.held) return;
@@ -184,18 +184,24 @@ float LandscapeCanvas::reach_at_pointer(const UiContext& ui, PixelPoint canvas) 
   return float(metres_a_pixel * double(ui.theme.px(9)) / ui.state.document.terrain->cell_size);
 }
 
-void LandscapeCanvas::draw_things(const UiContext& ui, ImVec2 origin, PixelPoint canvas) const {
+void LandscapeCanvas::draw_things(const UiContext& ui, ImVec2 origin, PixelPoint canvas) {
   const EditorState& state = ui.state;
-  // Lines over the picture are only wanted where one works on them.
-  const bool works =
-      state.view.tab == Tab::terrain || state.view.tab == Tab::trails || state.placing.busy() || state.herd_day.herd;
-  if (!works) return;
   const Terrain& ground = state.shown->terrain();
-  const auto project = [&](PathPoint cell) -> std::optional<ImVec2> {
+  const ScreenPlace project = [&](PathPoint cell) -> std::optional<ImVec2> {
     const auto at = pixel_of(state.view.camera, canvas, place_of(ground, cell));
     if (!at) return std::nullopt;
     return ImVec2(origin.x + float(at->x), origin.y + float(at->y));
   };
+  outline_.draw(ui, project);
+  if (state.gesture) {
+    const float step = float(std::max(ground.height.width(), ground.height.height())) / 256;
+    draw_gesture(*ImGui::GetWindowDrawList(), ui.theme, *state.gesture, project, step);
+  }
+  // Other lines over the picture are only wanted where one works on them.
+  const bool works =
+      state.view.tab == Tab::terrain || state.view.tab == Tab::trails || state.placing.busy() ||
+      (state.herd_day.herd && !state.exploring.following && !state.exploring.walking && state.pictures.playing < 0);
+  if (!works) return;
   const auto pointer = under_pointer_ ? std::optional(cell_of(ground, *under_pointer_)) : std::nullopt;
   draw_placed(ui, project, 0, pointer);
 }
@@ -203,26 +209,29 @@ void LandscapeCanvas::draw_things(const UiContext& ui, ImVec2 origin, PixelPoint
 void LandscapeCanvas::handle_tool(const UiContext& ui, PixelPoint canvas, bool hovered) {
   EditorState& state = ui.state;
   const ImGuiIO& io = ImGui::GetIO();
+  const bool released = ImGui::IsMouseReleased(ImGuiMouseButton_Left);
+  const bool pressed_here = released ? std::exchange(pressed_here_, false) : pressed_here_;
   if (paints_ && tool_active(state)) {
     follow_stroke(ui, canvas);
     return;
   }
   const auto place = under_pointer_ ? std::optional(cell_of(ground_of(state), *under_pointer_)) : std::nullopt;
   if (handle_placing(ui, place, reach_at_pointer(ui, canvas), hovered)) return;
+  const float still = 16 * io.MouseDragThreshold;
+  const bool clicked = hovered && pressed_here && released && io.MouseDragMaxDistanceSqr[0] < still;
+  if (state.tool == Tool::select && clicked) {
+    const float herd_reach = std::max(reach_at_pointer(ui, canvas) * 1.4F, float(20 / ground_of(state).cell_size));
+    const PixelPoint pixel{double(io.MousePos.x - origin_.x), double(io.MousePos.y - origin_.y)};
+    click_landscape(state, {ray_through(state.view.camera, canvas, pixel), under_pointer_, herd_reach, renderer_->animals()});
+    return;
+  }
   if (!hovered || !under_pointer_) return;
   const PathPoint cell = cell_of(ground_of(state), *under_pointer_);
-  const int x = int(std::lround(cell.x));
-  const int y = int(std::lround(cell.y));
   if (state.tool != Tool::select && !io.KeyAlt && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-    press_tool(state, cell, {io.KeyCtrl, io.KeyShift});
+    press_tool(state, cell, {io.KeyCtrl, io.KeyShift, state.path.points.empty() ? 1.0F : state.path.points.front()[2]});
     paints_ = tool_active(state);
     if (paints_) follow_stroke(ui, canvas);
     return;
-  }
-  const float still = 16 * io.MouseDragThreshold;
-  if (state.tool == Tool::select && ImGui::IsMouseReleased(ImGuiMouseButton_Left) && io.MouseDragMaxDistanceSqr[0] < still) {
-    const float herd_reach = std::max(reach_at_pointer(ui, canvas) * 1.4F, float(20 / ground_of(state).cell_size));
-    if (!choose_herd(state, cell, herd_reach)) ask_why(state, x, y);
   }
   if (ImGui::IsMouseReleased(ImGuiMouseButton_Right) && io.MouseDragMaxDistanceSqr[1] < still) {
     asked_ = cell;
@@ -233,44 +242,42 @@ void LandscapeCanvas::handle_tool(const UiContext& ui, PixelPoint canvas, bool h
 void LandscapeCanvas::handle_mouse(const UiContext& ui, PixelPoint canvas, PixelPoint pixel, bool hovered, bool active) {
   EditorState& state = ui.state;
   const Terrain& terrain = ground_of(state);
-  const ImGuiIO& io = ImGui::GetIO();
-  const bool moving = active && (dragged(ImGuiMouseButton_Right) || dragged(ImGuiMouseButton_Middle) || io.KeyAlt);
+  const bool moving = CameraGestures::dragging({canvas, pixel, under_pointer_, hovered, active});
   if ((hovered || active) && !moving) {
     under_pointer_ = pick_ground(terrain, state.view.camera.position, ray_through(state.view.camera, canvas, pixel));
   } else if (!moving) {
     under_pointer_.reset();
   }
+  state.exploring.pointer.reset();
   if (hovered && under_pointer_) {
     const PathPoint cell = cell_of(terrain, *under_pointer_);
     state.pointer = {true, cell.x, cell.y};
+    state.exploring.pointer = cell;
   }
-  const bool orbits = active && dragged(ImGuiMouseButton_Left) &&
-                      (io.KeyAlt || (state.tool == Tool::select && !state.placing.busy() && state.herd_day.held_stop < 0));
-  if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) pivot_.reset();
-  if (orbits) {
-    if (!pivot_) {
-      const PixelPoint middle{canvas.x / 2, canvas.y / 2};
-      pivot_ = pick_ground(terrain, state.view.camera.position, ray_through(state.view.camera, canvas, middle));
-      if (!pivot_) pivot_ = state.view.camera.position + glm::dvec3(state.view.camera.forward()) * 500.0;
-    }
-    state.view.camera = orbited(state.view.camera, *pivot_, io.MouseDelta.x * 0.3F, -io.MouseDelta.y * 0.3F);
-  } else if (active && dragged(ImGuiMouseButton_Right)) {
-    state.view.camera = turned(state.view.camera, io.MouseDelta.x * 0.2F, -io.MouseDelta.y * 0.2F);
-  } else if (active && dragged(ImGuiMouseButton_Middle)) {
-    const double away = under_pointer_ ? glm::length(*under_pointer_ - state.view.camera.position) : 300.0;
-    const double metres = 2 * away * std::tan(state.view.camera.vertical_field * 0.00872665) / canvas.y;
-    const Camera level = moved(state.view.camera, -io.MouseDelta.x * metres, 0, 0);
-    state.view.camera = level;
-    const glm::dvec3 up = glm::cross(glm::dvec3(level.right()), glm::dvec3(level.forward()));
-    state.view.camera.position += up * (io.MouseDelta.y * metres);
-  }
-  if (active && (orbits || dragged(ImGuiMouseButton_Right) || dragged(ImGuiMouseButton_Middle)))
-    state.view.camera_untouched = false;
-  if (hovered) handle_wheel(ui, canvas, pixel);
   takes_letters_ = hovered || active;
-  if (takes_letters_) handle_fly_keys(ui);
-  state.view.camera = kept_over_ground(state.view.camera, terrain);
+  gestures_.handle(ui, {canvas, pixel, under_pointer_, hovered, active});
+  moving_ = moving_ || gestures_.moved_by_gamepad();
   handle_tool(ui, canvas, hovered);
+}
+
+void LandscapeCanvas::make_pictures(EditorState& state) {
+  PictureSession& pictures = state.pictures;
+  if (const auto wanted = std::exchange(pictures.order, nullptr)) exporter_.start(*wanted);
+  if (std::exchange(pictures.wants_cancel, false) && exporter_.running()) {
+    exporter_.cancel();
+    announce(state, "Stopped");
+  }
+  exporter_.advance(slice_seconds);
+  if (const auto result = exporter_.take_result()) {
+    if (*result) {
+      announce(state, "Saved " + exporter_.out().string());
+    } else {
+      complain(state, "The picture could not be made", result->error());
+    }
+  }
+  pictures.running = exporter_.running();
+  pictures.fraction = exporter_.fraction();
+  pictures.stage = exporter_.stage();
 }
 
 void LandscapeCanvas::draw(const UiContext& ui, ImVec2 size) {
@@ -282,9 +289,12 @@ void LandscapeCanvas::draw(const UiContext& ui, ImVec2 size) {
   place_camera(state);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   origin_ = origin;
+  state.exploring.aspect = float(width) / float(height);
+  mini_map_.handle(ui, origin, size);
   ImGui::InvisibleButton(
       "landscape canvas", ImVec2(float(width), float(height)),
       ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+  if (ImGui::IsItemActivated()) pressed_here_ = true;
   const bool hovered = ImGui::IsItemHovered();
   const bool active = ImGui::IsItemActive();
   const ImVec2 end(origin.x + float(width), origin.y + float(height));
@@ -292,6 +302,15 @@ void LandscapeCanvas::draw(const UiContext& ui, ImVec2 size) {
   if (!state.document.terrain || !state.shown) {
     list.AddRectFilled(origin, end, colour_u32(ui.theme.window));
     return;
+  }
+  state.view.software = software_;
+  follow_quality(state);
+  const auto passed = double(ImGui::GetIO().DeltaTime);
+  state.exploring.followed = followed_place(state);
+  moving_ = advance_path(state, passed) || advance_exploring(state, passed);
+  if (moves_by_itself(state)) {
+    state.view.seconds = std::fmod(state.view.seconds + std::min(passed, 0.25), longest_seconds);
+    moving_ = true;
   }
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   handle_mouse(ui, canvas, {mouse.x - origin.x, mouse.y - origin.y}, hovered, active);
@@ -301,6 +320,14 @@ void LandscapeCanvas::draw(const UiContext& ui, ImVec2 size) {
   list.AddImage(texture, origin, end, ImVec2(0, 1), ImVec2(1, 0));
   draw_things(ui, origin, canvas);
   draw_north_arrow(ui.theme, origin, size, state.view.camera.heading);
+  mini_map_.draw(ui);
+  draw_mode_badge(ui, origin, size);
+  if (state.view.statistics) {
+    const LandscapeStatistics& drawn = renderer_->statistics();
+    draw_figures(ui, ImVec2(origin.x + ui.theme.px(10), origin.y + ui.theme.px(10)),
+                 {drawn.plants, drawn.animals, drawn.triangles, drawn.draw_calls, drawn.instance_bytes, target_->width(),
+                  target_->height(), drawn_seconds_});
+  }
   list.PopClipRect();
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.theme.px(8), ui.theme.px(8)));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.theme.px(10), ui.theme.px(6)));

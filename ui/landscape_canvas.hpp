@@ -2,16 +2,21 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "render/landscape_renderer.hpp"
 #include "render/offscreen_context.hpp"
+#include "ui/camera_gestures.hpp"
+#include "ui/gesture_overlay.hpp"
+#include "ui/mini_map.hpp"
+#include "ui/picture_export.hpp"
 #include "ui/view_transform.hpp"
 #include "ui/widgets.hpp"
 
 namespace biotope {
 
-/// The 3D view in a part of the window: orbit, fly, dolly, paint and ask. Drawn only when something changed; coarser while it
-/// moves on a slow machine, sharp again when it rests.
+/// The 3D view in a part of the window: orbit, fly, walk, follow, paint and ask. Drawn only when something changed; coarser while
+/// it moves on a slow machine, sharp again when it rests.
 class LandscapeCanvas {
  public:
   [[nodiscard]] static Result<std::unique_ptr<LandscapeCanvas>> create();
@@ -20,8 +25,11 @@ class LandscapeCanvas {
   void draw(const UiContext& ui, ImVec2 size);
   /// True while keys fly the camera: letters are then no shortcuts.
   [[nodiscard]] bool takes_letters() const { return takes_letters_; }
-  /// True while a sharper picture is still to come.
-  [[nodiscard]] bool refining() const { return refining_; }
+  /// True while a sharper picture is still to come, or the camera or what it sees moves by itself.
+  [[nodiscard]] bool refining() const { return refining_ || moving_; }
+  /// Once a frame, whether the view is shown or not: pictures and videos that were asked for are drawn, a slice at a time.
+  void make_pictures(EditorState& state);
+  [[nodiscard]] bool makes_pictures() const { return exporter_.running(); }
 
  private:
   struct Picture {
@@ -33,14 +41,16 @@ class LandscapeCanvas {
   };
   explicit LandscapeCanvas(std::unique_ptr<LandscapeRenderer> renderer);
   void place_camera(EditorState& state);
+  /// Where the followed animal or herd is now, m.
+  [[nodiscard]] std::optional<glm::dvec3> followed_place(const EditorState& state);
+  /// Sets the quality of the level, measured where it is automatic.
+  void follow_quality(EditorState& state);
   void draw_picture(const UiContext& ui, int width, int height);
   void handle_mouse(const UiContext& ui, PixelPoint canvas, PixelPoint pixel, bool hovered, bool active);
-  void handle_wheel(const UiContext& ui, PixelPoint canvas, PixelPoint pixel) const;
-  void handle_fly_keys(const UiContext& ui) const;
   /// How far the pointer takes hold of things, in cells, where it is.
   [[nodiscard]] float reach_at_pointer(const UiContext& ui, PixelPoint canvas) const;
   /// What a person placed and draws.
-  void draw_things(const UiContext& ui, ImVec2 origin, PixelPoint canvas) const;
+  void draw_things(const UiContext& ui, ImVec2 origin, PixelPoint canvas);
   void handle_tool(const UiContext& ui, PixelPoint canvas, bool hovered);
   void follow_stroke(const UiContext& ui, PixelPoint canvas);
 
@@ -55,14 +65,21 @@ class LandscapeCanvas {
   double drawn_resolution_ = 0;
   double drawn_at_ = 0;       ///< time of the last picture, s
   double drawn_seconds_ = 0;  ///< what it took, s
-  double last_change_ = 0;    ///< time of the last change of the picture, s
+  bool measuring_ = false;
+  std::vector<double> measured_seconds_;  ///< of pictures at level low
+  double last_change_ = 0;                ///< time of the last change of the picture, s
   bool refining_ = false;
   bool takes_letters_ = false;
-  std::optional<glm::dvec3> pivot_;  ///< what an orbit turns around
+  bool moving_ = false;  ///< the camera or what it sees moves by itself
+  CameraGestures gestures_;
+  MiniMap mini_map_;
+  PictureExporter exporter_;
   std::optional<glm::dvec3> under_pointer_;
   PathPoint asked_;
-  ImVec2 origin_;        ///< upper left corner on the screen
-  bool paints_ = false;  ///< the stroke in progress began here
+  ImVec2 origin_;              ///< upper left corner on the screen
+  bool paints_ = false;        ///< the stroke in progress began here
+  bool pressed_here_ = false;  ///< a button went down over the view and is not yet let go
+  GroundOutline outline_;
 };
 
 }  // namespace biotope

@@ -120,7 +120,7 @@ void MapCanvas::follow_stroke(const UiContext& ui, PixelPoint canvas) {
   EditorState& state = ui.state;
   for (const auto& point : state.path.points) {
     const PathPoint cell = cell_at(state.view.map, canvas, {point[0] - origin_.x, point[1] - origin_.y});
-    drag_tool(state, cell);
+    drag_tool(state, cell, point[2]);
   }
   state.path.points.clear();
   if (state.path.held) return;
@@ -146,7 +146,7 @@ void MapCanvas::handle_tool(const UiContext& ui, PixelPoint canvas, const PathPo
     } else if (state.tool != Tool::select && !state.path.points.empty()) {
       const auto& first = state.path.points.front();
       const PathPoint begin = cell_at(state.view.map, canvas, {first[0] - origin_.x, first[1] - origin_.y});
-      press_tool(state, begin, {io.KeyCtrl, io.KeyShift});
+      press_tool(state, begin, {io.KeyCtrl, io.KeyShift, first[2]});
       paints_ = tool_active(state);
       if (paints_) follow_stroke(ui, canvas);
       return;
@@ -169,6 +169,7 @@ void MapCanvas::handle_mouse(const UiContext& ui, PixelPoint canvas, PixelPoint 
   const Terrain& terrain = *state.document.terrain;
   const bool active = ImGui::IsItemActive();
   if (hovered) handle_zoom(ui, canvas, pixel);
+  if (camera_mark_.handle(ui, canvas, pixel, hovered)) return;
   const bool left_pans = space_held() || (state.tool == Tool::select && !state.placing.busy() && state.herd_day.held_stop < 0 &&
                                           !ImGui::GetIO().KeyAlt);
   const bool panning = active && (ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0) ||
@@ -212,6 +213,12 @@ void MapCanvas::draw_cursor(const UiContext& ui, ImVec2 origin, PixelPoint canva
     const ImVec2 place(origin.x + float(at.x), origin.y + float(at.y));
     list.AddCircle(place, ui.theme.px(7), IM_COL32(0, 0, 0, 200), 24, ui.theme.px(4));
     list.AddCircle(place, ui.theme.px(7), colour_u32(ui.theme.attention), 24, ui.theme.px(2));
+  }
+  if (state.exploring.pointer && !hovered && is_brush(state.tool)) {
+    // The pointer is over the 3D view: the same place here.
+    const PathPoint cell = *state.exploring.pointer;
+    overlay_.draw_cursor(ui, origin, canvas, pixel_of(state.view.map, canvas, double(cell.x), double(cell.y)));
+    return;
   }
   if ((!hovered && !state.painting.stroking()) || space_held()) return;
   overlay_.draw_cursor(ui, origin, canvas, pixel);
@@ -292,6 +299,7 @@ void MapCanvas::draw(const UiContext& ui, ImVec2 size) {
   draw_pulse(ui, origin, canvas);
   overlay_.draw(ui, origin, canvas);
   draw_things(ui, origin, canvas, pixel, hovered);
+  camera_mark_.draw(ui, origin, canvas);
   draw_cursor(ui, origin, canvas, pixel, hovered);
   if (state.document.terrain) {
     const MapEntry entry = describe_map(visible_map(state), state.web());

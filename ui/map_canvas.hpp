@@ -4,6 +4,7 @@
 
 #include "render/map_renderer.hpp"
 #include "render/offscreen_context.hpp"
+#include "ui/camera_mark.hpp"
 #include "ui/tool_overlay.hpp"
 #include "ui/view_transform.hpp"
 #include "ui/widgets.hpp"
@@ -55,6 +56,7 @@ class MapCanvas {
   ImVec2 origin_;        ///< upper left corner on the screen
   bool paints_ = false;  ///< the stroke or gesture in progress began here
   ToolOverlay overlay_;
+  CameraMark camera_mark_;
 };
 
 }  // namespace biotope

@@ -58,7 +58,7 @@ void prepare_painting(EditorState& state) {
   state.grounds.prepare(state.shown, state.document, needs);
 }
 
-void begin_stroke(EditorState& state, float x, float y) {
+void begin_stroke(EditorState& state, float x, float y, float pressure) {
   if (!is_brush(state.tool)) return;
   const std::string waiting = pending_edit(state);
   const std::string hindrance = waiting.empty() ? paint_hindrance(state) : waiting + " is still being done";
@@ -72,12 +72,12 @@ void begin_stroke(EditorState& state, float x, float y) {
   ++state.paint.strokes;
   // One sees what one paints.
   show_layer(state, layer);
-  continue_stroke(state, x, y);
+  continue_stroke(state, x, y, pressure);
 }
 
-void continue_stroke(EditorState& state, float x, float y) {
+void continue_stroke(EditorState& state, float x, float y, float pressure) {
   if (!state.painting.stroking()) return;
-  if (!state.painting.move_to(state.document, x, y).empty()) state.must_post = true;
+  if (!state.painting.move_to(state.document, x, y, pressure).empty()) state.must_post = true;
   state.paint.last_point = PathPoint{x, y};
 }
 

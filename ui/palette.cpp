@@ -15,7 +15,7 @@ struct Gesture {
   const char* what;
   const char* does;
 };
-constexpr std::array<Gesture, 13> gestures{
+constexpr std::array<Gesture, 17> gestures{
     {{"Left", "paint with a brush; with Select: ask on the map, orbit in 3D"},
      {"Shift + left with a brush", "straight line from where the last stroke ended"},
      {"Ctrl + left with a brush", "take the value under the pointer; with Clone: clone from here"},
@@ -25,7 +25,11 @@ constexpr std::array<Gesture, 13> gestures{
      {"Left with Select, dragged", "move the map"},
      {"Wheel", "zoom at the pointer, come closer in 3D"},
      {"Alt + left", "ask why on the map, orbit in 3D"},
-     {"W A S D over the 3D view", "fly; with Shift faster"},
+     {"W A S D over the 3D view", "fly, or walk on foot; with Shift faster"},
+     {"Click an animal in 3D", "follow it; its herd's day and needs are shown"},
+     {"Click a plant in 3D", "choose its species and ask why it is here"},
+     {"Double-click in a list", "see the species, place or route in 3D"},
+     {"The camera on map and mini-map", "drag it to another place"},
      {"Q E over the 3D view", "fly down and up"},
      {"Space over the clock", "play and pause the day"},
      {"Drop a file on the window", "open a scene or look at a terrain"}}};

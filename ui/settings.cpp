@@ -1,6 +1,7 @@
 #include "ui/settings.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -24,6 +25,30 @@ void read(const json& object, const char* key, T& value) {
   }
 }
 
+constexpr std::array<std::pair<std::string_view, float>, 5> quality_levels{
+    {{"automatic", 0.5F}, {"low", 0.5F}, {"medium", 1.0F}, {"high", 2.0F}, {"ultra", 4.0F}}};
+
+json weather_to_json(const Weather& weather) {
+  return {{"cloud", weather.cloud}, {"precipitation", weather.precipitation}, {"fog", weather.fog},
+          {"wind", weather.wind},   {"wind_direction", weather.wind_direction}, {"snow_cover", weather.snow_cover}};
+}
+
+Weather weather_of(const json& object) {
+  Weather weather;
+  read(object, "cloud", weather.cloud);
+  read(object, "precipitation", weather.precipitation);
+  read(object, "fog", weather.fog);
+  read(object, "wind", weather.wind);
+  read(object, "wind_direction", weather.wind_direction);
+  read(object, "snow_cover", weather.snow_cover);
+  weather.cloud = std::clamp(weather.cloud, 0.0F, 1.0F);
+  weather.precipitation = std::clamp(weather.precipitation, 0.0F, 1.0F);
+  weather.fog = std::clamp(weather.fog, 0.0F, 1.0F);
+  weather.wind = std::clamp(weather.wind, 0.0F, 25.0F);
+  weather.wind_direction = std::clamp(weather.wind_direction, 0.0F, 360.0F);
+  return weather;
+}
+
 std::filesystem::path folder_of(const char* variable, const char* under_home) {
   const char* set = std::getenv(variable);
   if (set != nullptr && *set != '\0') return std::filesystem::path(set) / "biotope";
@@ -32,6 +57,9 @@ std::filesystem::path folder_of(const char* variable, const char* under_home) {
 }
 
 }  // namespace
+
+float quality_factor(QualityLevel level) { return quality_levels[std::size_t(level)].second; }
+std::string_view quality_name(QualityLevel level) { return quality_levels[std::size_t(level)].first; }
 
 std::string settings_to_json(const Settings& settings) {
   json object;
@@ -45,7 +73,10 @@ std::string settings_to_json(const Settings& settings) {
   object["first_steps_closed"] = settings.first_steps_closed;
   object["contours"] = settings.contours;
   object["overlay_opacity"] = settings.overlay_opacity;
-  object["quality"] = settings.quality;
+  object["quality_level"] = quality_name(settings.quality_level);
+  object["weather"] = weather_to_json(settings.weather);
+  if (settings.animate) object["animate"] = *settings.animate;
+  object["mini_map"] = settings.mini_map;
   object["history_megabytes"] = settings.history_megabytes;
   object["shortcuts"] = settings.shortcuts;
   return object.dump(2);
@@ -85,8 +116,16 @@ Settings settings_from_json(std::string_view text) {
   read(object, "contours", settings.contours);
   read(object, "overlay_opacity", settings.overlay_opacity);
   settings.overlay_opacity = std::clamp(settings.overlay_opacity, 0.0F, 1.0F);
-  read(object, "quality", settings.quality);
-  settings.quality = std::clamp(settings.quality, 0.25F, 2.0F);
+  std::string level;
+  read(object, "quality_level", level);
+  for (std::size_t i = 0; i < quality_levels.size(); ++i) {
+    if (quality_levels[i].first == level) settings.quality_level = QualityLevel(i);
+  }
+  if (const auto weather = object.find("weather"); weather != object.end() && weather->is_object())
+    settings.weather = weather_of(*weather);
+  if (const auto animate = object.find("animate"); animate != object.end() && animate->is_boolean())
+    settings.animate = animate->get<bool>();
+  read(object, "mini_map", settings.mini_map);
   read(object, "history_megabytes", settings.history_megabytes);
   settings.history_megabytes = std::clamp(settings.history_megabytes, 64, 65536);
   if (const auto shortcuts = object.find("shortcuts"); shortcuts != object.end() && shortcuts->is_object()) {

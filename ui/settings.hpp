@@ -1,17 +1,27 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/base/status.hpp"
 #include "core/document/brush.hpp"
+#include "render/weather.hpp"
 
 namespace biotope {
 
 inline constexpr std::size_t most_recent_files = 12;
+
+/// How much of the 3D view is drawn. `automatic` is measured at start; none is less than `low`.
+enum class QualityLevel : std::uint8_t { automatic, low, medium, high, ultra };
+/// What multiplies distances and counts of plants at a level (LandscapeOptions::quality); `automatic` as low.
+[[nodiscard]] float quality_factor(QualityLevel level);
+/// "automatic", "low" ...
+[[nodiscard]] std::string_view quality_name(QualityLevel level);
 
 /// What the editor remembers from one run to the next.
 struct Settings {
@@ -28,7 +38,11 @@ struct Settings {
   bool first_steps_closed = false;
   bool contours = true;
   float overlay_opacity = 0.85F;
-  float quality = 1;             ///< of the 3D view
+  QualityLevel quality_level = QualityLevel::automatic;  ///< of the 3D view
+  Weather weather;
+  /// Leaves, water and rain move; absent: where a graphics processor draws.
+  std::optional<bool> animate;
+  bool mini_map = true;
   int history_megabytes = 1024;  ///< memory that undo may take
   /// Shortcuts that replace a command's own, by the command's id.
   std::map<std::string, std::string> shortcuts;

@@ -95,8 +95,8 @@ void press_brush(EditorState& state, PathPoint cell, ToolKeys keys) {
   }
   const std::optional<PathPoint> from = keys.shift ? state.paint.last_point : std::nullopt;
   const PathPoint start = from.value_or(cell);
-  begin_stroke(state, start.x, start.y);
-  if (from) continue_stroke(state, cell.x, cell.y);
+  begin_stroke(state, start.x, start.y, keys.pressure);
+  if (from) continue_stroke(state, cell.x, cell.y, keys.pressure);
 }
 
 }  // namespace
@@ -117,9 +117,9 @@ void press_tool(EditorState& state, PathPoint cell, ToolKeys keys) {
   }
 }
 
-void drag_tool(EditorState& state, PathPoint cell) {
+void drag_tool(EditorState& state, PathPoint cell, float pressure) {
   if (state.painting.stroking()) {
-    continue_stroke(state, cell.x, cell.y);
+    continue_stroke(state, cell.x, cell.y, pressure);
   } else if (state.gesture && state.gesture->tool == Tool::select_lasso) {
     const PathPoint last = state.gesture->points.back();
     if (std::hypot(cell.x - last.x, cell.y - last.y) >= lasso_step) state.gesture->points.push_back(cell);

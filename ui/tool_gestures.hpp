@@ -10,13 +10,15 @@ namespace biotope {
 struct ToolKeys {
   bool control = false;
   bool shift = false;
+  /// Of a tablet's pen, 0..1.
+  float pressure = 1;
 };
 
 /// The button went down on a cell. Brushes begin a stroke (Shift: a straight line from the last point; Ctrl: pick the value, or
 /// where 'clone' takes from), Fill fills, gradients and selections begin (Shift adds, Ctrl takes away, both intersect).
 void press_tool(EditorState& state, PathPoint cell, ToolKeys keys);
 /// It moved.
-void drag_tool(EditorState& state, PathPoint cell);
+void drag_tool(EditorState& state, PathPoint cell, float pressure = 1);
 /// It was let go.
 void release_tool(EditorState& state);
 /// Stops what is going on and leaves no trace of it.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ui/editor_actions.hpp"
+#include "ui/gesture_overlay.hpp"
 #include "ui/paint_targets.hpp"
 
 namespace biotope {
@@ -46,26 +47,6 @@ void dashed_line(ImDrawList& list, ImVec2 from, ImVec2 to, float dash) {
     list.AddLine(across ? ImVec2(low, from.y) : ImVec2(from.x, low), across ? ImVec2(high, from.y) : ImVec2(from.x, high),
                  IM_COL32(255, 255, 255, 245), 1.5F);
   }
-}
-
-void draw_gesture(ImDrawList& list, const Theme& theme, const ToScreen& screen, const ToolGesture& gesture) {
-  const auto at = [&](PathPoint point) { return screen(point.x, point.y); };
-  if (gesture.tool == Tool::gradient) {
-    two_tone_line(list, theme, at(gesture.points.front()), at(gesture.points.back()));
-    list.AddCircleFilled(at(gesture.points.front()), theme.px(4), light);
-    list.AddCircle(at(gesture.points.back()), theme.px(4), light, 20, theme.px(1.5F));
-    return;
-  }
-  std::vector<ImVec2> line;
-  if (gesture.tool == Tool::select_rectangle) {
-    const ImVec2 a = at(gesture.points.front());
-    const ImVec2 b = at(gesture.points.back());
-    line = {a, ImVec2(b.x, a.y), b, ImVec2(a.x, b.y)};
-  } else {
-    for (const PathPoint& point : gesture.points) line.push_back(at(point));
-  }
-  list.AddPolyline(line.data(), int(line.size()), shadow, ImDrawFlags_Closed, theme.px(3));
-  list.AddPolyline(line.data(), int(line.size()), light, ImDrawFlags_Closed, theme.px(1.5F));
 }
 
 void draw_cross(ImDrawList& list, const Theme& theme, ImVec2 at) {
@@ -148,7 +129,10 @@ void ToolOverlay::draw(const UiContext& ui, ImVec2 origin, PixelPoint canvas) {
   draw_film(ui, origin, canvas);
   draw_selection(ui, origin, canvas);
   const ToScreen screen{state.view.map, canvas, origin};
-  if (state.gesture) draw_gesture(*ImGui::GetWindowDrawList(), ui.theme, screen, *state.gesture);
+  if (state.gesture) {
+    const ScreenPlace place = [&](PathPoint cell) { return screen(cell.x, cell.y); };
+    draw_gesture(*ImGui::GetWindowDrawList(), ui.theme, *state.gesture, place, float(state.document.terrain->height.width()));
+  }
 }
 
 void ToolOverlay::draw_cursor(const UiContext& ui, ImVec2 origin, PixelPoint canvas, PixelPoint pixel) const {

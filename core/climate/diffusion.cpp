@@ -1,6 +1,7 @@
 #include "core/climate/diffusion.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -15,26 +16,6 @@ namespace {
 // Elimination down a line: with L and R the conductances to the cells before and after,
 //   share' = R / (1 + L (1 - share) + R),   value' = (value + L value_before') / (the same),
 // and back up: value = value' + share' * value_after. All terms are positive, so nothing cancels.
-
-void diffuse_row(std::span<float> values, std::span<const float> conductance, std::span<float> share) {
-  const std::size_t count = values.size();
-  float before = 0;
-  float last_share = 0;
-  float to_before = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const float own = conductance[i];
-    const float to_after = i + 1 < count ? 0.5F * (std::abs(own) + std::abs(conductance[i + 1])) : 0;
-    const float left = own < 0 ? 0 : to_before;
-    const float right = own < 0 ? 0 : to_after;
-    const float inverse = 1 / (1 + left * (1 - last_share) + right);
-    last_share = right * inverse;
-    before = (values[i] + left * before) * inverse;
-    share[i] = last_share;
-    values[i] = before;
-    to_before = to_after;
-  }
-  for (std::size_t i = count - 1; i-- > 0;) values[i] += share[i] * values[i + 1];
-}
 
 /// Columns that are eliminated together.
 constexpr int strip = 64;
@@ -85,14 +66,62 @@ void diffuse_columns(Grid<float>& values, const Grid<float>& conductance, int x0
   }
 }
 
+/// Rows that are eliminated together, as columns.
+constexpr int rows_at_once = 8;
+
+/// Cells of a few rows side by side: column x of all of them lies at x * rows_at_once.
+void load_rows(const Grid<float>& grid, int y0, int count, std::vector<float>& out) {
+  for (int r = 0; r < count; ++r) {
+    const auto row = grid.row(y0 + r);
+    for (std::size_t x = 0; x < row.size(); ++x) out[x * rows_at_once + std::size_t(r)] = row[x];
+  }
+}
+
+/// Room for some rows, kept from one to the next.
+struct RowsRoom {
+  std::vector<float> values;
+  std::vector<float> conductance;
+  std::vector<float> shares;
+};
+
+void diffuse_rows(Grid<float>& values, const Grid<float>& conductance, int y0, int count, RowsRoom& room) {
+  const auto width = std::size_t(values.width());
+  for (std::vector<float>* part : {&room.values, &room.conductance, &room.shares}) part->resize(width * rows_at_once);
+  load_rows(values, y0, count, room.values);
+  load_rows(conductance, y0, count, room.conductance);
+  const std::array<float, rows_at_once> none{};
+  for (std::size_t x = 0; x < width; ++x) {
+    const bool first = x == 0;
+    const bool last = x + 1 == width;
+    float* const share = room.shares.data() + x * rows_at_once;
+    float* const value = room.values.data() + x * rows_at_once;
+    const float* const own = room.conductance.data() + x * rows_at_once;
+    eliminate_columns({first ? own : own - rows_at_once, own, last ? own : own + rows_at_once,
+                       first ? none.data() : share - rows_at_once, first ? none.data() : value - rows_at_once, share, value},
+                      rows_at_once, first ? 0.0F : 1.0F, last ? 0.0F : 1.0F);
+  }
+  for (std::size_t x = width - 1; x-- > 0;) {
+    const std::size_t at = x * rows_at_once;
+    add_back_columns(room.values.data() + at, room.shares.data() + at, room.values.data() + at + rows_at_once, rows_at_once);
+  }
+  for (int r = 0; r < count; ++r) {
+    const auto row = values.row(y0 + r);
+    for (std::size_t x = 0; x < width; ++x) row[x] = room.values[x * rows_at_once + std::size_t(r)];
+  }
+}
+
 }  // namespace
 
 void diffuse(Grid<float>& values, const Grid<float>& conductance) {
   assert(values.width() == conductance.width() && values.height() == conductance.height());
   if (values.empty()) return;
-  parallel_rows(0, values.height(), [&](int y) {
-    std::vector<float> share(std::size_t(values.width()));
-    diffuse_row(values.row(y), conductance.row(y), share);
+  const int bundles = (values.height() + rows_at_once - 1) / rows_at_once;
+  tbb::parallel_for(tbb::blocked_range<int>(0, bundles, 4), [&](const tbb::blocked_range<int>& range) {
+    RowsRoom room;
+    for (int i = range.begin(); i < range.end(); ++i) {
+      const int y0 = i * rows_at_once;
+      diffuse_rows(values, conductance, y0, std::min(rows_at_once, values.height() - y0), room);
+    }
   });
   const int strips = (values.width() + strip - 1) / strip;
   parallel_each(std::size_t(strips), [&](std::size_t i) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/parallel.hpp"
+#include "core/climate/environment_layers.hpp"
 #include "core/climate/moisture.hpp"
 #include "core/climate/soil.hpp"
 #include "core/terrain/sun.hpp"
@@ -13,61 +14,84 @@
 namespace biotope {
 namespace {
 
+/// Runs body over rows of a raster, many at once.
+template <class Body>
+void each_row(const Grid<float>& layer, const Body& body) {
+  parallel_rows(0, layer.height(), [&](int y) { body(Rect{0, y, layer.width(), y + 1}); });
+}
+
 /// Twelve layers: the irradiance ratio, dimmed by the month's clouds, on the index scale.
 MonthlyMap illumination_map(std::array<Grid<float>, months> ratios, const Climate& climate) {
   MonthlyMap map;
   for (std::size_t month = 0; month < ratios.size(); ++month) {
     Grid<float> layer = std::move(ratios[month]);
-    const auto at_dark = float(illumination_scale.index(0));
-    const auto per_ratio = float((1 - climate.cloud[month]) * (illumination_scale.index(1) - illumination_scale.index(0)));
-    parallel_rows(0, layer.height(), [&](int y) {
-      for (float& cell : layer.row(y)) cell = at_dark + per_ratio * cell;
-    });
+    each_row(layer, [&](const Rect& row) { irradiance_to_index(climate, month, row, layer); });
     map.layers.push_back(std::make_shared<const Grid<float>>(std::move(layer)));
   }
   return map;
 }
 
-/// One layer, the index of 0 deg C at the reference height cooled with height; months shift it.
 MonthlyMap temperature_map(const Terrain& terrain, const Climate& climate) {
   Grid<float> layer(terrain.height.width(), terrain.height.height());
+  each_row(layer, [&](const Rect& row) { temperature_of_heights(terrain, climate, row, layer); });
+  return {{std::make_shared<const Grid<float>>(std::move(layer))}, temperature_offsets(climate)};
+}
+
+MonthlyMap moisture_map(Grid<float> layer, const Grid<Geology>& geology, const Climate& climate) {
+  each_row(layer, [&](const Rect& row) { limit_moisture(geology, climate, row, layer); });
+  return {{std::make_shared<const Grid<float>>(std::move(layer))}, moisture_offsets(climate)};
+}
+
+}  // namespace
+
+void irradiance_to_index(const Climate& climate, std::size_t month, const Rect& cells, Grid<float>& layer) {
+  const auto at_dark = float(illumination_scale.index(0));
+  const auto per_ratio = float((1 - climate.cloud[month]) * (illumination_scale.index(1) - illumination_scale.index(0)));
+  for (int y = cells.y0; y < cells.y1; ++y) {
+    for (float& cell : layer.row(y).subspan(std::size_t(cells.x0), std::size_t(cells.width()))) cell = at_dark + per_ratio * cell;
+  }
+}
+
+void temperature_of_heights(const Terrain& terrain, const Climate& climate, const Rect& cells, Grid<float>& layer) {
   const double per_degree = temperature_scale.index(1) - temperature_scale.index(0);
   const auto per_metre = float(-per_degree * climate.lapse_rate / 1000);
   const auto at_zero = float(temperature_scale.index(0));
   const auto reference = float(climate.reference_height);
-  parallel_rows(0, layer.height(), [&](int y) {
+  for (int y = cells.y0; y < cells.y1; ++y) {
     const auto heights = terrain.height.row(y);
     const auto out = layer.row(y);
-    for (std::size_t x = 0; x < out.size(); ++x) out[x] = at_zero + per_metre * (heights[x] - reference);
-  });
-  MonthlyMap map;
-  map.layers.push_back(std::make_shared<const Grid<float>>(std::move(layer)));
-  for (std::size_t month = 0; month < map.offset.size(); ++month) {
-    map.offset[month] = float(per_degree * climate.temperature_mean[month]);
+    for (auto x = std::size_t(cells.x0); x < std::size_t(cells.x1); ++x) out[x] = at_zero + per_metre * (heights[x] - reference);
   }
-  return map;
 }
 
-/// One layer that months shift. Soil holds no more than soil can: even in the wettest month a bank is as wet as the wettest soil of the
-/// species tables, and only open water is wetter. Without this a broad strip along every river would drown what grows there.
-MonthlyMap moisture_map(Grid<float> layer, const Grid<Geology>& geology, const Climate& climate) {
-  MonthlyMap map;
-  for (std::size_t month = 0; month < map.offset.size(); ++month) {
-    map.offset[month] = float(moisture_offset(climate.precipitation[month]));
+std::array<float, months> temperature_offsets(const Climate& climate) {
+  const double per_degree = temperature_scale.index(1) - temperature_scale.index(0);
+  std::array<float, months> offsets{};
+  for (std::size_t month = 0; month < offsets.size(); ++month) {
+    offsets[month] = float(per_degree * climate.temperature_mean[month]);
   }
-  const float most = wettest_soil - *std::max_element(map.offset.begin(), map.offset.end());
-  parallel_rows(0, layer.height(), [&](int y) {
+  return offsets;
+}
+
+std::array<float, months> moisture_offsets(const Climate& climate) {
+  std::array<float, months> offsets{};
+  for (std::size_t month = 0; month < offsets.size(); ++month) {
+    offsets[month] = float(moisture_offset(climate.precipitation[month]));
+  }
+  return offsets;
+}
+
+void limit_moisture(const Grid<Geology>& geology, const Climate& climate, const Rect& cells, Grid<float>& layer) {
+  const auto offsets = moisture_offsets(climate);
+  const float most = wettest_soil - *std::max_element(offsets.begin(), offsets.end());
+  for (int y = cells.y0; y < cells.y1; ++y) {
     const auto rocks = geology.row(y);
     const auto row = layer.row(y);
-    for (std::size_t x = 0; x < row.size(); ++x) {
+    for (auto x = std::size_t(cells.x0); x < std::size_t(cells.x1); ++x) {
       if (rocks[x] != Geology::water) row[x] = std::min(row[x], most);
     }
-  });
-  map.layers.push_back(std::make_shared<const Grid<float>>(std::move(layer)));
-  return map;
+  }
 }
-
-}  // namespace
 
 Result<EnvironmentMaps> compute_environment(const Terrain& terrain, const Derivatives& derivatives, const Hydrology& hydrology,
                                             const Climate& climate, const TaskContext& context) {

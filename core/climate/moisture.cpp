@@ -6,12 +6,11 @@
 #include "core/base/parallel.hpp"
 #include "core/climate/environment.hpp"
 #include "core/climate/diffusion.hpp"
+#include "core/climate/soil_parts.hpp"
 
 namespace biotope {
 namespace {
 
-/// Steps of the diffusion; enough for a round spot.
-constexpr int spread_steps = 4;
 /// Diffusivity falls to 1 % at slope 0.57 (Ecormier-Nocca 2021, public code).
 const float slope_damping = float(std::log(0.01) / 0.57);
 /// ln(water) of lakes and the sea for their banks: index 9 in a month of 55 mm. Our choice.
@@ -24,26 +23,38 @@ constexpr double least_precipitation = 0.5;
 /// Cube root of the square: the authors' exponent of the water, 2/3.
 float two_thirds_power(float value) { return std::cbrt(value * value); }
 
-/// Water before it spreads, and how easily it does; cells that keep their water get a negative conductance.
-void wet_row(const Terrain& terrain, const Derivatives& derivatives, const Hydrology& hydrology, int y, Grid<float>& water,
-             Grid<float>& conductance) {
+}  // namespace
+
+void wet_cells(const Terrain& terrain, const Derivatives& derivatives, const Hydrology& hydrology, const Rect& cells,
+               Grid<float>& water, Grid<float>& conductance) {
   const auto cell_size = float(terrain.cell_size);
   const auto flat = float(moisture_spread * moisture_spread / (2 * spread_steps * terrain.cell_area()));
   const float standing = std::exp(standing_water);
-  for (int x = 0; x < water.width(); ++x) {
-    const float slope = derivatives.slope(x, y);
-    const float discharge = hydrology.discharge(x, y);
-    const WaterKind kind = hydrology.water(x, y);
-    const bool stands = kind == WaterKind::lake || kind == WaterKind::sea;
-    const float width = discharge > 0 ? std::max(narrowest_bed, river_width(discharge)) : cell_size;
-    const float catchment = hydrology.catchment_area(x, y) / width;
-    water(x, y) = stands ? standing : two_thirds_power(catchment / (0.1F + std::sqrt(slope)));
-    const float eases = flat * std::exp(slope_damping * slope);
-    conductance(x, y) = stands || discharge > 0 ? -eases : eases;
+  for (int y = cells.y0; y < cells.y1; ++y) {
+    for (int x = cells.x0; x < cells.x1; ++x) {
+      const float slope = derivatives.slope(x, y);
+      const float discharge = hydrology.discharge(x, y);
+      const WaterKind kind = hydrology.water(x, y);
+      const bool stands = kind == WaterKind::lake || kind == WaterKind::sea;
+      const float width = discharge > 0 ? std::max(narrowest_bed, river_width(discharge)) : cell_size;
+      const float catchment = hydrology.catchment_area(x, y) / width;
+      water(x, y) = stands ? standing : two_thirds_power(catchment / (0.1F + std::sqrt(slope)));
+      const float eases = flat * std::exp(slope_damping * slope);
+      conductance(x, y) = stands || discharge > 0 ? -eases : eases;
+    }
   }
 }
 
-}  // namespace
+void moisture_of_water(const Hydrology& hydrology, const Grid<float>& spread, const Rect& cells, Grid<float>& moisture) {
+  constexpr auto zero = float(moisture_scale.index(0));
+  constexpr auto per_unit = float(8 / (moisture_scale.nine - moisture_scale.one));
+  for (int y = cells.y0; y < cells.y1; ++y) {
+    for (int x = cells.x0; x < cells.x1; ++x) {
+      const bool open_water = hydrology.water(x, y) != WaterKind::dry;
+      moisture(x, y) = open_water ? open_water_index : zero + per_unit * std::log(spread(x, y));
+    }
+  }
+}
 
 Result<Grid<float>> moisture_layer(const Terrain& terrain, const Derivatives& derivatives, const Hydrology& hydrology,
                                    const TaskContext& context) {
@@ -51,20 +62,13 @@ Result<Grid<float>> moisture_layer(const Terrain& terrain, const Derivatives& de
   const int height = terrain.height.height();
   Grid<float> water(width, height);
   Grid<float> conductance(width, height);
-  parallel_rows(0, height, [&](int y) { wet_row(terrain, derivatives, hydrology, y, water, conductance); });
+  parallel_rows(0, height, [&](int y) { wet_cells(terrain, derivatives, hydrology, {0, y, width, y + 1}, water, conductance); });
   for (int step = 0; step < spread_steps; ++step) {
     if (context.stopped()) return fail("stopped");
     context.report("moisture", double(step + 1) / (spread_steps + 1));
     diffuse(water, conductance);
   }
-  constexpr auto zero = float(moisture_scale.index(0));
-  constexpr auto per_unit = float(8 / (moisture_scale.nine - moisture_scale.one));
-  parallel_rows(0, height, [&](int y) {
-    for (int x = 0; x < width; ++x) {
-      const bool open_water = hydrology.water(x, y) != WaterKind::dry;
-      water(x, y) = open_water ? open_water_index : zero + per_unit * std::log(water(x, y));
-    }
-  });
+  parallel_rows(0, height, [&](int y) { moisture_of_water(hydrology, water, {0, y, width, y + 1}, water); });
   return water;
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/base/parallel.hpp"
 #include "core/climate/diffusion.hpp"
+#include "core/climate/soil_parts.hpp"
 
 namespace biotope {
 namespace {
@@ -19,18 +20,6 @@ constexpr float flood_plain_water = 6.7F;
 constexpr float lower_slope_water = 4.5F;
 /// Over what distance ground is compared with its surroundings to tell hollows from bulges, standard deviation in metres.
 constexpr double hollow_radius = 15;
-
-/// How far the ground lies below the mean of its surroundings, m; negative on bulges. Smoothed, so that neither the cell size nor the
-/// noise of a fine DEM shows.
-Grid<float> hollows(const Terrain& terrain) {
-  const auto conductance = float(hollow_radius * hollow_radius / (2 * terrain.cell_area()));
-  Grid<float> depth = terrain.height;
-  diffuse(depth, Grid<float>(depth.width(), depth.height(), conductance));
-  parallel_rows(0, depth.height(), [&](int y) {
-    for (int x = 0; x < depth.width(); ++x) depth(x, y) -= terrain.height(x, y);
-  });
-  return depth;
-}
 
 /// 0..1: how much loose rock has come to rest: steep ground below what is steeper, but not a cliff itself.
 float scree_share(float slope, float hollow) {
@@ -52,20 +41,36 @@ float texture_of(float slope, float hollow, float water) {
 
 }  // namespace
 
+Grid<float> hollows(const Terrain& terrain) {
+  const auto conductance = float(hollow_radius * hollow_radius / (2 * terrain.cell_area()));
+  Grid<float> depth = terrain.height;
+  diffuse(depth, Grid<float>(depth.width(), depth.height(), conductance));
+  parallel_rows(0, depth.height(), [&](int y) {
+    for (int x = 0; x < depth.width(); ++x) depth(x, y) -= terrain.height(x, y);
+  });
+  return depth;
+}
+
+void soil_of_cells(const SoilInput& input, const Rect& cells, Grid<float>& texture, Grid<Geology>& geology) {
+  for (int y = cells.y0; y < cells.y1; ++y) {
+    for (int x = cells.x0; x < cells.x1; ++x) {
+      const float slope = input.derivatives.slope(x, y);
+      const float hollow = input.hollow(x, y);
+      const auto water = float(moisture_scale.physical(input.moisture(x, y)));
+      const bool open_water = input.hydrology.water(x, y) != WaterKind::dry;
+      geology(x, y) = open_water ? Geology::water : geology_of(slope, hollow, water);
+      texture(x, y) = texture_of(slope, hollow, water);
+    }
+  }
+}
+
 SoilMaps estimate_soil(const Terrain& terrain, const Derivatives& derivatives, const Hydrology& hydrology, const Grid<float>& moisture) {
   const int width = terrain.height.width();
   const int height = terrain.height.height();
   const Grid<float> hollow = hollows(terrain);
   SoilMaps soil{Grid<float>(width, height), Grid<Geology>(width, height)};
-  parallel_rows(0, height, [&](int y) {
-    for (int x = 0; x < width; ++x) {
-      const float slope = derivatives.slope(x, y);
-      const auto water = float(moisture_scale.physical(moisture(x, y)));
-      const bool open_water = hydrology.water(x, y) != WaterKind::dry;
-      soil.geology(x, y) = open_water ? Geology::water : geology_of(slope, hollow(x, y), water);
-      soil.texture(x, y) = texture_of(slope, hollow(x, y), water);
-    }
-  });
+  const SoilInput input{derivatives, hydrology, hollow, moisture};
+  parallel_rows(0, height, [&](int y) { soil_of_cells(input, {0, y, width, y + 1}, soil.texture, soil.geology); });
   return soil;
 }
 

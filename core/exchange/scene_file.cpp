@@ -24,6 +24,7 @@ constexpr const char* terrain_entry = "terrain.tif";
 constexpr const char* voids_entry = "voids.tif";
 constexpr const char* selection_entry = "selection.tif";
 constexpr const char* placements_entry = "placements.json";
+constexpr const char* views_entry = "views.json";
 
 /// A raster of the scene, what it is made from and how it is packed.
 struct Packing {
@@ -260,7 +261,7 @@ Status check_readable_again(const ArchiveEntries& texts) {
 
 }  // namespace
 
-Status save_scene(const std::filesystem::path& file, const Document& document, SceneCache* cache) {
+Status save_scene(const std::filesystem::path& file, const Document& document, SceneCache* cache, const std::string& views) {
   assert(document.terrain && document.species);
   SceneManifest manifest = manifest_of(document);
   const auto list = packings(document, manifest);
@@ -277,6 +278,7 @@ Status save_scene(const std::filesystem::path& file, const Document& document, S
   }
   ArchiveEntries texts{{climate_entry, climate_to_json(document.climate)}, {species_entry, species_to_json(*document.species)}};
   if (manifest.has_placements) texts[placements_entry] = placements_to_json(document.placements).dump(1) + "\n";
+  if (!views.empty() && views.size() <= most_view_bytes) texts[views_entry] = views;
   for (const auto& [name, text] : texts) manifest.checksums[name] = checksum(text);
   texts[manifest_entry] = manifest_to_json(manifest);
   entries.insert(texts.begin(), texts.end());
@@ -306,6 +308,17 @@ Result<Document> load_scene(const std::filesystem::path& file) {
     if (const Status part = read_part(reader, *manifest, document); !part) return tl::unexpected(part.error());
   }
   return document;
+}
+
+Result<std::string> load_scene_views(const std::filesystem::path& file) {
+  const auto archive = ArchiveReader::open(file);
+  if (!archive) return tl::unexpected(archive.error());
+  const auto text = archive->read(manifest_entry, most_json_bytes);
+  if (!text) return tl::unexpected(text.error());
+  const auto manifest = parse_manifest(*text, file.string() + ": " + manifest_entry);
+  if (!manifest) return tl::unexpected(manifest.error());
+  if (!manifest->checksums.contains(views_entry)) return std::string();
+  return SceneReader(*archive, *manifest, file.string()).entry(views_entry, most_view_bytes);
 }
 
 }  // namespace biotope

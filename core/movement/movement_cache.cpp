@@ -1,7 +1,9 @@
 #include "core/movement/movement_cache.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
+#include <optional>
 
 #include "core/base/random.hpp"
 
@@ -16,9 +18,40 @@ std::shared_ptr<const TravelGraph> MovementCache::graph(const Ground& ground,
     if (entry.regions != regions && !(entry.regions->label == regions->label)) continue;
     return entry.graph;
   }
-  auto made = std::make_shared<const TravelGraph>(build_travel_graph(ground, *regions, mobility, block));
-  graphs_.push_back({ground.terrain, ground.hydrology, regions, block, -1, made, 0, {}, {}, {}});
-  return made;
+  // Of several graphs of this mobility the last one is the most alike.
+  const auto known = std::find_if(graphs_.rbegin(), graphs_.rend(), [&](const GraphEntry& entry) {
+    return entry.block == block && entry.graph->mobility == mobility && entry.regions->label.rect() == regions->label.rect() &&
+           entry.terrain->cell_size == ground.terrain->cell_size;
+  });
+  GraphEntry entry{ground.terrain, ground.hydrology, regions, block, -1, nullptr, {}, 0, {}, {}, {}};
+  Grid<std::int32_t> memory;
+  if (!memory_.empty()) {
+    memory = std::move(memory_.back());
+    memory_.pop_back();
+  }
+  std::optional<KnownGraph> base;
+  if (known != graphs_.rend()) base.emplace(KnownGraph{*known->graph, known->blocks, known->regions->label, same_ground(ground, *known)});
+  entry.graph = std::make_shared<TravelGraph>(
+      build_travel_graph(ground, *regions, mobility, block, base ? &*base : nullptr, entry.blocks, std::move(memory)));
+  graphs_.push_back(std::move(entry));
+  return graphs_.back().graph;
+}
+
+std::vector<char> MovementCache::same_ground(const Ground& ground, const GraphEntry& known) {
+  if (known.terrain == ground.terrain && known.hydrology == ground.hydrology) return {};
+  SameGround& last = same_ground_;
+  const bool asked = last.terrain[0] == known.terrain && last.terrain[1] == ground.terrain && last.hydrology[0] == known.hydrology &&
+                     last.hydrology[1] == ground.hydrology && last.block == known.block;
+  if (!asked) {
+    Ground before = ground;
+    before.terrain = known.terrain;
+    before.hydrology = known.hydrology;
+    last = {{known.terrain, ground.terrain},
+            {known.hydrology, ground.hydrology},
+            known.block,
+            blocks_of_same_ground(before, ground, known.block)};
+  }
+  return last.same;
 }
 
 const ReachedNodes* MovementCache::reached(const TravelGraph& graph, std::span<const float> cost,
@@ -56,6 +89,9 @@ void MovementCache::end_graphs(std::span<const std::shared_ptr<const TravelGraph
       ++entry.unused_runs;
     }
   }
+  for (GraphEntry& entry : graphs_) {
+    if (entry.unused_runs >= 2) forget(entry);
+  }
   std::erase_if(graphs_, [](const GraphEntry& entry) { return entry.unused_runs >= 2; });
 }
 
@@ -64,6 +100,14 @@ void MovementCache::begin_paths(const Ground& ground) {
   terrain_ = ground.terrain;
   hydrology_ = ground.hydrology;
   ++run_;
+}
+
+void MovementCache::forget(GraphEntry& entry) {
+  constexpr std::size_t most_kept = 2;
+  if (entry.graph.use_count() != 1 || memory_.size() >= most_kept) return;
+  // What the last other owner read happened before it let go.
+  std::atomic_thread_fence(std::memory_order_acquire);
+  memory_.push_back(std::move(entry.graph->vertex_of_cell));
 }
 
 const std::vector<PathCell>* MovementCache::path(std::uint64_t key) const {

@@ -9,6 +9,7 @@
 #include "core/ecosystem/confinement.hpp"
 #include "core/movement/fine_path.hpp"
 #include "core/movement/travel.hpp"
+#include "core/movement/travel_blocks.hpp"
 
 namespace biotope {
 
@@ -52,7 +53,8 @@ class MovementCache {
     std::shared_ptr<const ConfinementRegions> regions;
     int block = 1;
     int level = 0;
-    std::shared_ptr<const TravelGraph> graph;
+    std::shared_ptr<TravelGraph> graph;
+    TravelBlocks blocks;
     int unused_runs = 0;
     /// Costs (empty for the graph's own) and vertices of the nodes that were last asked for, and what was found between them.
     std::vector<float> cost;
@@ -63,7 +65,22 @@ class MovementCache {
     std::vector<PathCell> cells;
     std::uint64_t run = 0;
   };
+  /// What a new graph can take over from one that is known.
+  [[nodiscard]] std::vector<char> same_ground(const Ground& ground, const GraphEntry& known);
+
+  void forget(GraphEntry& entry);
+
   std::vector<GraphEntry> graphs_;
+  /// Maps of cells of graphs that were forgotten and that nobody else holds: large, and slow to ask of the system again.
+  std::vector<Grid<std::int32_t>> memory_;
+  /// Blocks in which two grounds are the same, as they were last asked for.
+  struct SameGround {
+    std::shared_ptr<const Terrain> terrain[2];
+    std::shared_ptr<const Hydrology> hydrology[2];
+    int block = 0;
+    std::vector<char> same;
+  };
+  SameGround same_ground_;
   std::shared_ptr<const Terrain> terrain_;
   std::shared_ptr<const Hydrology> hydrology_;
   std::uint64_t run_ = 1;

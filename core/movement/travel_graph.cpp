@@ -6,20 +6,16 @@
 #include "core/base/parallel.hpp"
 #include "core/base/random.hpp"
 #include "core/movement/travel.hpp"
+#include "core/movement/travel_blocks.hpp"
 #include "core/movement/walk_cost.hpp"
+#include "core/terrain/tile_changes.hpp"
 
 namespace biotope {
 namespace {
 
 using Label = Grid<std::int32_t>;
 
-/// Two vertices in neighbouring blocks and the cost each way.
-struct Pair {
-  std::uint32_t a = 0;
-  std::uint32_t b = 0;
-  float forth = 0;
-  float back = 0;
-};
+using Pair = VertexPair;
 
 bool all_passable(const Label& label, const Rect& block) {
   for (int y = block.y0; y < block.y1; ++y) {
@@ -140,66 +136,100 @@ Pair straight_walk(const Ground& ground, const Label& label, const WalkCost& wal
   return {0, 0, float(forth * length / walked), float(back * length / walked)};
 }
 
+/// Whether the same cells of a block are passable.
+bool same_open_cells(const Label& a, const Label& b, const Rect& block) {
+  for (int y = block.y0; y < block.y1; ++y) {
+    const std::int32_t* one = a.row(y).data() + block.x0;
+    const std::int32_t* other = b.row(y).data() + block.x0;
+    const auto width = std::size_t(block.width());
+    if (std::equal(one, one + width, other)) continue;
+    std::int32_t differs = 0;
+    for (std::size_t x = 0; x < width; ++x) differs |= one[x] ^ other[x];
+    // The sign says what is passable; regions may have other numbers.
+    if (differs < 0) return false;
+  }
+  return true;
+}
+
 /// Builds one graph; the steps share the ground and what has been made so far.
 class Builder {
  public:
-  Builder(const Ground& ground, const ConfinementRegions& regions, const Mobility& mobility, int block)
-      : ground_(ground), label_(regions.label), walk_(mobility), stride_(walking_stride(ground.terrain->cell_size)) {
+  Builder(const Ground& ground, const ConfinementRegions& regions, const Mobility& mobility, int block, const KnownGraph* known)
+      : ground_(ground),
+        label_(regions.label),
+        walk_(mobility),
+        stride_(walking_stride(ground.terrain->cell_size)),
+        known_(known) {
     graph_.mobility = mobility;
     graph_.block = block;
     graph_.columns = (label_.width() + block - 1) / block;
     graph_.rows = (label_.height() + block - 1) / block;
   }
 
-  TravelGraph build() {
+  /// `memory` is overwritten and becomes the graph's map of cells.
+  TravelGraph build(TravelBlocks& blocks, Label memory) {
+    graph_.vertex_of_cell = std::move(memory);
     number_vertices();
-    std::vector<std::vector<Pair>> pairs(blocks());
+    std::vector<std::vector<Pair>> pairs(count());
     parallel_rows(0, graph_.rows, [&](int row) {
       for (int column = 0; column < graph_.columns; ++column) {
-        pairs[std::size_t(row) * std::size_t(graph_.columns) + std::size_t(column)] = pairs_of(block_rect(column, row));
+        const std::size_t i = number(column, row);
+        pairs[i] = same_around(column, row) ? known_pairs(i) : pairs_of(block_rect(column, row));
       }
     });
     connect(pairs);
+    blocks.first_vertex = std::move(first_);
+    blocks.pairs = std::move(pairs);
     return std::move(graph_);
   }
 
  private:
-  [[nodiscard]] std::size_t blocks() const { return std::size_t(graph_.columns) * std::size_t(graph_.rows); }
+  [[nodiscard]] std::size_t count() const { return std::size_t(graph_.columns) * std::size_t(graph_.rows); }
+  [[nodiscard]] std::size_t number(int column, int row) const {
+    return std::size_t(row) * std::size_t(graph_.columns) + std::size_t(column);
+  }
   [[nodiscard]] Rect block_rect(int column, int row) const {
     return intersection(label_.rect(),
                         {column * graph_.block, row * graph_.block, (column + 1) * graph_.block, (row + 1) * graph_.block});
   }
 
   void number_vertices() {
-    std::vector<BlockPieces> found(blocks());
-    graph_.open_cells.assign(blocks(), 0);
+    std::vector<BlockPieces> found(count());
+    graph_.open_cells.assign(count(), 0);
+    same_.assign(count(), 0);
     const auto of_row = [&](int row, const auto& body) {
-      for (int column = 0; column < graph_.columns; ++column) {
-        body(block_rect(column, row), std::size_t(row) * std::size_t(graph_.columns) + std::size_t(column));
-      }
+      for (int column = 0; column < graph_.columns; ++column) body(block_rect(column, row), number(column, row));
     };
     parallel_rows(0, graph_.rows, [&](int row) {
       of_row(row, [&](const Rect& block, std::size_t i) {
-        found[i] = pieces_of_block(label_, block);
-        graph_.open_cells[i] = hash_of_open(found[i]);
+        same_[i] = known_ != nullptr && same_open_cells(label_, known_->label, block) ? 1 : 0;
+        found[i] = same_[i] ? known_pieces(i) : pieces_of_block(label_, block);
+        graph_.open_cells[i] = same_[i] ? known_->graph.open_cells[i] : hash_of_open(found[i]);
       });
     });
-    std::vector<std::int32_t> first(blocks());
+    std::vector<std::int32_t>& first = first_;
     for (std::size_t i = 0; i < found.size(); ++i) {
-      first[i] = std::int32_t(graph_.vertices.size());
+      first.push_back(std::int32_t(graph_.vertices.size()));
       graph_.vertices.insert(graph_.vertices.end(), found[i].vertices.begin(), found[i].vertices.end());
     }
+    first.push_back(std::int32_t(graph_.vertices.size()));
     // Vertices are written once: the map is large, and a further pass over it costs more than the search for pieces.
     Label& cells = graph_.vertex_of_cell;
-    cells = Label(label_.width(), label_.height(), -1);
+    if (cells.rect() != label_.rect()) cells = Label(label_.width(), label_.height());
     parallel_rows(0, graph_.rows, [&](int row) {
       of_row(row, [&](const Rect& block, std::size_t i) {
-        if (found[i].vertices.empty()) return;
+        const std::int32_t all = found[i].vertices.empty() ? -1 : first[i];
         const std::vector<std::int32_t>& piece_of_cell = found[i].piece_of_cell;
         for (int y = block.y0; y < block.y1; ++y) {
           const auto out = cells.row(y).subspan(std::size_t(block.x0), std::size_t(block.width()));
+          if (same_[i] && graph_.open_cells[i] != 0 && all >= 0) {
+            const std::int32_t* before = known_->graph.vertex_of_cell.row(y).data() + block.x0;
+            const std::int32_t shift = first[i] - known_->blocks.first_vertex[i];
+            for (std::size_t x = 0; x < out.size(); ++x) out[x] = before[x] >= 0 ? before[x] + shift : -1;
+            continue;
+          }
           if (piece_of_cell.empty()) {
-            std::fill(out.begin(), out.end(), first[i]);
+            std::fill(out.begin(), out.end(), all);
             continue;
           }
           const std::int32_t* piece = piece_of_cell.data() + std::size_t(y - block.y0) * out.size();
@@ -207,6 +237,43 @@ class Builder {
         }
       });
     });
+  }
+
+  /// The vertices of a block in which the same cells are passable as before, in the regions of now.
+  [[nodiscard]] BlockPieces known_pieces(std::size_t i) const {
+    BlockPieces pieces;
+    const auto& vertices = known_->graph.vertices;
+    for (std::int32_t v = known_->blocks.first_vertex[i]; v < known_->blocks.first_vertex[i + 1]; ++v) {
+      const TravelGraph::Vertex& vertex = vertices[std::size_t(v)];
+      pieces.vertices.push_back({vertex.x, vertex.y, label_(vertex.x, vertex.y)});
+    }
+    return pieces;
+  }
+
+  /// Whether a block and those around it are the same as before, passable cells and ground: then so are the walks out of it.
+  [[nodiscard]] bool same_around(int column, int row) const {
+    if (known_ == nullptr) return false;
+    for (int y = std::max(row - 1, 0); y <= std::min(row + 1, graph_.rows - 1); ++y) {
+      for (int x = std::max(column - 1, 0); x <= std::min(column + 1, graph_.columns - 1); ++x) {
+        const std::size_t i = number(x, y);
+        if (!same_[i] || (!known_->same_ground.empty() && !known_->same_ground[i])) return false;
+      }
+    }
+    return true;
+  }
+
+  [[nodiscard]] std::vector<Pair> known_pairs(std::size_t i) const {
+    std::vector<Pair> pairs = known_->blocks.pairs[i];
+    const auto renumber = [&](std::uint32_t& v) {
+      const TravelGraph::Vertex& vertex = known_->graph.vertices[v];
+      const std::size_t block = number(vertex.x / graph_.block, vertex.y / graph_.block);
+      v = std::uint32_t(std::int32_t(v) - known_->blocks.first_vertex[block] + first_[block]);
+    };
+    for (Pair& pair : pairs) {
+      renumber(pair.a);
+      renumber(pair.b);
+    }
+    return pairs;
   }
 
   /// Adds the pair of vertices of two cells that touch, once.
@@ -283,6 +350,10 @@ class Builder {
   const Label& label_;
   WalkCost walk_;
   int stride_;
+  const KnownGraph* known_;
+  /// By block: whether the same cells are passable as before.
+  std::vector<char> same_;
+  std::vector<std::int32_t> first_;
   TravelGraph graph_;
 };
 
@@ -300,7 +371,33 @@ int walking_stride(double cell_size) {
 
 TravelGraph build_travel_graph(const Ground& ground, const ConfinementRegions& regions, const Mobility& mobility, int block) {
   assert(block >= 1 && regions.label.rect() == ground.terrain->height.rect());
-  return Builder(ground, regions, mobility, block).build();
+  TravelBlocks blocks;
+  return Builder(ground, regions, mobility, block, nullptr).build(blocks, {});
+}
+
+TravelGraph build_travel_graph(const Ground& ground, const ConfinementRegions& regions, const Mobility& mobility, int block,
+                               const KnownGraph* known, TravelBlocks& blocks, Grid<std::int32_t> memory) {
+  assert(block >= 1 && regions.label.rect() == ground.terrain->height.rect());
+  assert(known == nullptr || (known->label.rect() == regions.label.rect() && known->graph.block == block &&
+                              known->graph.mobility == mobility));
+  return Builder(ground, regions, mobility, block, known).build(blocks, std::move(memory));
+}
+
+std::vector<char> blocks_of_same_ground(const Ground& a, const Ground& b, int block) {
+  const Grid<float>& height = a.terrain->height;
+  const int columns = (height.width() + block - 1) / block;
+  const int rows = (height.height() + block - 1) / block;
+  std::vector<char> same(std::size_t(columns) * std::size_t(rows), 1);
+  parallel_rows(0, rows, [&](int row) {
+    for (int column = 0; column < columns; ++column) {
+      const Rect rect = intersection(height.rect(), {column * block, row * block, (column + 1) * block, (row + 1) * block});
+      const bool alike = (a.terrain == b.terrain || same_cells(height, b.terrain->height, rect)) &&
+                         (a.hydrology == b.hydrology || (a.hydrology && b.hydrology && same_cells(a.hydrology->water_depth,
+                                                                                                 b.hydrology->water_depth, rect)));
+      same[std::size_t(row) * std::size_t(columns) + std::size_t(column)] = alike ? 1 : 0;
+    }
+  });
+  return same;
 }
 
 }  // namespace biotope

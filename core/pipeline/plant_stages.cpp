@@ -8,32 +8,67 @@ namespace biotope {
 
 namespace {
 
-/// Competition again in some tiles of maps that are otherwise up to date.
-void compete_again(std::vector<CoverMap>& maps, const FoodWeb& web, const PlantEnvironment& environment,
-                   const std::vector<std::size_t>& tiles) {
+/// A tile of the maps and the parts of it in which plants compete again.
+struct TileParts {
+  std::size_t tile = 0;
+  std::vector<Rect> parts;
+};
+
+/// Small tiles by the tile of the maps they are in; whole where they are most of it, side by side ones as one.
+std::vector<TileParts> parts_of(const CoverMap& map, const TileSet& small) {
+  std::vector<TileParts> all;
+  std::vector<std::size_t> place(map.tile_count(), map.tile_count());
+  for (const std::size_t i : small.list()) {
+    const Rect cells = small.rect(i);
+    const std::size_t tile = map.tile_index(cells.x0, cells.y0);
+    if (place[tile] == map.tile_count()) {
+      place[tile] = all.size();
+      all.push_back({tile, {}});
+    }
+    auto& parts = all[place[tile]].parts;
+    if (!parts.empty() && parts.back().y0 == cells.y0 && parts.back().x1 == cells.x0) {
+      parts.back().x1 = cells.x1;
+    } else {
+      parts.push_back(cells);
+    }
+  }
+  for (TileParts& one : all) {
+    const Rect whole = map.tile_rect(one.tile);
+    int cells = 0;
+    for (const Rect& part : one.parts) cells += part.width() * part.height();
+    if (4 * cells > 3 * whole.width() * whole.height()) one.parts = {whole};
+  }
+  return all;
+}
+
+/// Competition again in some small tiles of maps that are otherwise up to date.
+void compete_again(std::vector<CoverMap>& maps, const FoodWeb& web, const PlantEnvironment& environment, const TileSet& small) {
+  const std::vector<TileParts> tiles = parts_of(maps.front(), small);
   std::vector<std::vector<std::shared_ptr<CoverMap::Tile>>> made(tiles.size());
   parallel_each(tiles.size(), [&](std::size_t i) {
     std::vector<CoverMap::Tile*> out;
-    for (std::size_t plant = 0; plant < maps.size(); ++plant) {
-      made[i].push_back(std::make_shared<CoverMap::Tile>());
-      made[i].back()->fill(0);
+    for (const CoverMap& map : maps) {
+      const auto& before = map.tile(tiles[i].tile);
+      made[i].push_back(before ? std::make_shared<CoverMap::Tile>(*before) : std::make_shared<CoverMap::Tile>());
+      if (!before) made[i].back()->fill(0);
       out.push_back(made[i].back().get());
     }
-    compete_in_tile(web, environment, maps.front().tile_rect(tiles[i]), out);
+    for (const Rect& part : tiles[i].parts) compete_in_tile(web, environment, part, out);
   });
   for (std::size_t i = 0; i < tiles.size(); ++i) {
-    for (std::size_t plant = 0; plant < maps.size(); ++plant) replace_tile(maps[plant], tiles[i], made[i][plant]);
+    for (std::size_t plant = 0; plant < maps.size(); ++plant) replace_tile(maps[plant], tiles[i].tile, made[i][plant]);
   }
 }
 
-std::vector<std::size_t> repainted_tiles(const PlantStage& stage, const PlantEnvironment& environment, std::size_t tile_count) {
-  std::vector<std::size_t> tiles;
-  for (std::size_t r = 0; r < monthly_resources; ++r) {
-    merge_tiles(tiles, differing_tiles(stage.paint[r].get(), environment.paint[r].get(), tile_count));
-  }
-  merge_tiles(tiles, differing_tiles(stage.soil.texture.get(), environment.soil.texture.get(), tile_count));
-  merge_tiles(tiles, differing_tiles(stage.soil.geology.get(), environment.soil.geology.get(), tile_count));
-  return tiles;
+TileSet repainted_tiles(const PlantStage& stage, const PlantEnvironment& environment) {
+  TileSet tiles(stage.stale.width(), stage.stale.height());
+  const auto add = [&](const auto& before, const auto& after) {
+    for (const std::size_t tile : differing_tiles(before.get(), after.get(), tiles.tile_count())) tiles.insert(tile);
+  };
+  for (std::size_t r = 0; r < monthly_resources; ++r) add(stage.paint[r], environment.paint[r]);
+  add(stage.soil.texture, environment.soil.texture);
+  add(stage.soil.geology, environment.soil.geology);
+  return tiles.in_tiles_of(small_side);
 }
 
 Status compute_all_plants(PlantStage& stage, const FoodWeb& web, const PlantEnvironment& environment,
@@ -49,25 +84,30 @@ Status compute_all_plants(PlantStage& stage, const FoodWeb& web, const PlantEnvi
 
 }  // namespace
 
-Status update_plants(PlantStage& stage, const FoodWeb& web, const PlantEnvironment& environment,
-                     const std::vector<double>& desired, const TaskContext& context) {
-  const bool same_world = !stage.covers.empty() && stage.environment == environment.maps && stage.desired == desired &&
-                          stage.covers.size() == web.levels.front().size();
-  if (same_world && stage.paint == environment.paint && stage.soil == environment.soil) return {};
-  if (!same_world || !desired.empty()) {
-    stage.environment = nullptr;
+Status update_plants(PlantStage& stage, const FoodWeb& web, const PlantEnvironment& environment, const ChangeLog& changes,
+                     const std::vector<double>& desired, const TileSet* near, const TaskContext& context) {
+  const TileSet moved = changes.since(stage.seen_environment);
+  const bool same_world = !stage.covers.empty() && stage.desired == desired && stage.covers.size() == web.levels.front().size() &&
+                          stage.stale.fits(moved.width(), moved.height());
+  const bool untouched = same_world && !moved.any() && stage.paint == environment.paint && stage.soil == environment.soil;
+  if (untouched && !stage.stale.any()) return {};
+  if (!same_world || !desired.empty() || moved.every()) {
+    stage.seen_environment = 0;
     if (Status done = compute_all_plants(stage, web, environment, desired, context); !done) return done;
+    stage.stale = TileSet(moved.width(), moved.height(), small_side);
   } else {
-    const auto tiles = repainted_tiles(stage, environment, stage.covers.front()->tile_count());
+    stage.stale |= moved | repainted_tiles(stage, environment);
+    const TileSet asked = near != nullptr ? stage.stale & near->in_tiles_of(small_side) : stage.stale;
     std::vector<CoverMap> maps;
     for (const auto& cover : stage.covers) maps.push_back(*cover);
-    compete_again(maps, web, environment, tiles);
+    compete_again(maps, web, environment, asked);
     for (std::size_t i = 0; i < maps.size(); ++i) {
       if (differing_tiles(stage.covers[i].get(), &maps[i], maps[i].tile_count()).empty()) continue;
       stage.covers[i] = std::make_shared<const CoverMap>(std::move(maps[i]));
     }
+    stage.stale -= asked;
   }
-  stage.environment = environment.maps;
+  stage.seen_environment = changes.version();
   stage.desired = desired;
   stage.paint = environment.paint;
   stage.soil = environment.soil;

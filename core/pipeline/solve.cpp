@@ -16,6 +16,15 @@ SolveCache& SolveCache::operator=(SolveCache&&) noexcept = default;
 
 namespace {
 
+void release_memory(SolveCache::Stages& stages) {
+  stages.land.painted.release_unused();
+  stages.slopes.derivatives.release_unused();
+  stages.water.release_unused();
+  stages.environment.light.release_unused();
+  stages.environment.warmth.release_unused();
+  stages.environment.soil.release_unused();
+}
+
 /// One run over the operators, in topological order.
 class Run {
  public:
@@ -25,6 +34,7 @@ class Run {
   }
 
   Result<std::shared_ptr<const MapsSnapshot>> all() {
+    const std::uint64_t land_before = stages_.land.changes.version();
     for (const auto& [name, step] : steps()) {
       if (context_.stopped()) return fail(stopped_message);
       clock_.begin(name);
@@ -35,6 +45,8 @@ class Run {
       publish_partial();
     }
     clock_.end();
+    // Once something else is edited, the ground may stay as it is for long.
+    if (stages_.land.changes.version() == land_before) release_memory(stages_);
     maps_->timings = clock_.timings();
     maps_->complete = true;
     return std::shared_ptr<const MapsSnapshot>(std::make_shared<MapsSnapshot>(*maps_));
@@ -44,7 +56,8 @@ class Run {
   using Step = Status (Run::*)();
   static std::vector<std::pair<std::string, Step>> steps() {
     return {{"species", &Run::species},         {"ground", &Run::ground},
-            {"slopes", &Run::slopes},           {"water", &Run::water},
+            {"slopes", &Run::slopes},           {nearby_stage, &Run::nearby},
+            {"water", &Run::water},
             {"environment", &Run::environment}, {"plants", &Run::plants},
             {"animals", &Run::animals},         {"travel", &Run::travel},
             {"trails", &Run::trails},           {"daily plans", &Run::daily_plans},
@@ -52,7 +65,8 @@ class Run {
   }
 
   void publish_partial() {
-    if (!publish_ || !maps_->hydrology) return;
+    // What was shown near the brush stays until the same maps are known exactly.
+    if (!publish_ || !maps_->hydrology || (shown_nearby_ && maps_->cover.empty())) return;
     publish_(std::make_shared<MapsSnapshot>(*maps_));
   }
 
@@ -66,9 +80,11 @@ class Run {
   Status species();
   Status ground();
   Status slopes();
+  Status nearby();
   Status water();
   Status environment();
   Status plants();
+  void painted_plants(MapsSnapshot& maps);
   Status animals();
   Status animal_level(std::size_t index);
   Status travel();
@@ -76,6 +92,9 @@ class Run {
   Status daily_plans();
   Status overpainted();
 
+  [[nodiscard]] EnvironmentInput environment_input() const {
+    return {stages_.land, stages_.slopes, stages_.water, document_.climate, document_.given_environment};
+  }
   [[nodiscard]] std::vector<double> desired(int level) const {
     const auto use = document_.use_proportions.find(level);
     if (use != document_.use_proportions.end() && !use->second) return {};
@@ -97,6 +116,7 @@ class Run {
   const PublishPartial& publish_;
   std::shared_ptr<MapsSnapshot> maps_;
   std::shared_ptr<const FoodWeb> biology_;
+  bool shown_nearby_ = false;
   StageClock clock_;
 };
 
@@ -139,22 +159,36 @@ Status Run::ground() {
   keep_equal(stages_.opened, opened);
   maps_->places = stages_.places;
   maps_->passage = maps_->paint({LayerKind::passage, "all"});
-  const auto heights = maps_->paint({LayerKind::ground, "height"});
-  const DrawnWater& water = document_.placements.water;
-  if (!heights && water == DrawnWater{}) {
-    maps_->land = document_.terrain;
-    return {};
-  }
-  const auto same = [](const Terrain& a, const Terrain& b) { return a.height == b.height; };
-  return keep(maps_->land,
-              stages_.land.get(
-                  {{document_.terrain, heights}, water},
-                  [&]() -> Result<Terrain> { return shaped_terrain(*document_.terrain, heights.get(), water); }, same));
+  update_land(stages_.land, document_.terrain, maps_->paint({LayerKind::ground, "height"}), document_.placements.water);
+  maps_->land = stages_.land.land;
+  return {};
 }
 
 Status Run::slopes() {
-  return keep(maps_->derivatives,
-              stages_.derivatives.get({maps_->land}, [&]() -> Result<Derivatives> { return compute_derivatives(*maps_->land); }));
+  update_slopes(stages_.slopes, stages_.land);
+  maps_->derivatives = stages_.slopes.derivatives.newest();
+  return {};
+}
+
+/// A small change of the ground is answered around it with the water of before, so that slopes, light, temperature and plants keep up
+/// with the brush. Only shown: what it made is stale wherever the exact maps turn out to be others.
+Status Run::nearby() {
+  maps_->plant_desired = desired(0);
+  const EnvironmentInput input = environment_input();
+  const PlantStage& plants = stages_.plants;
+  const bool has_plants = plants.covers.size() == maps_->web->levels.front().size() && plants.desired.empty();
+  if (!publish_ || !has_plants || !maps_->plant_desired.empty() || !can_answer_nearby(stages_.environment, input)) return {};
+  const TileSet near = update_environment_nearby(stages_.environment, input);
+  MapsSnapshot shown = *maps_;
+  shown.hydrology = stages_.water.newest();
+  shown.environment = stages_.environment.maps;
+  const Status done = update_plants(stages_.plants, *biology_, shown.plant_environment(), stages_.environment.changes, {}, &near, context_);
+  if (!done) return done;
+  painted_plants(shown);
+  if (context_.stopped()) return fail(stopped_message);
+  shown_nearby_ = true;
+  publish_(std::make_shared<MapsSnapshot>(std::move(shown)));
+  return {};
 }
 
 double mean_height(const Terrain& terrain) {
@@ -164,63 +198,53 @@ double mean_height(const Terrain& terrain) {
 }
 
 Status Run::water() {
-  const auto mean = stages_.mean_height.get({maps_->land}, [&]() -> Result<double> { return mean_height(*maps_->land); });
+  // The weather is that of the file's terrain: a hill that is raised somewhere must not change the water everywhere.
+  const auto mean =
+      stages_.mean_height.get({document_.terrain}, [&]() -> Result<double> { return mean_height(*document_.terrain); });
   HydrologyOptions options;
   options.inflows = document_.inflows;
   options.runoff = yearly_runoff(document_.climate, maps_->land->latitude, **mean);
   const std::vector<Inflow> drawn = inflows_of(document_.placements.water, *maps_->land, options.runoff);
   options.inflows.insert(options.inflows.end(), drawn.begin(), drawn.end());
-  std::vector<std::array<double, 3>> inflows;
-  for (const Inflow& inflow : options.inflows) {
-    inflows.push_back({double(inflow.x), double(inflow.y), inflow.catchment_area});
-  }
-  return keep(maps_->hydrology, stages_.hydrology.get({{maps_->land}, inflows, options.runoff},
-                                                      [&] { return compute_hydrology(*maps_->land, options, context_); }));
-}
-
-/// Puts the maps a person gave in the place of computed ones.
-EnvironmentMaps with_given(EnvironmentMaps maps, const GivenEnvironment& given) {
-  for (std::size_t r = 0; r < monthly_resources; ++r) {
-    if (given.monthly[r].empty()) continue;
-    maps.monthly[r].layers = given.monthly[r];
-    maps.monthly[r].offset = {};
-  }
-  if (given.geology) maps.geology = given.geology;
-  return maps;
+  const TileSet changed = stages_.land.changes.since(stages_.water_seen_land);
+  if (Status done = stages_.water.update(maps_->land, changed, options, context_); !done) return done;
+  stages_.water_seen_land = stages_.land.changes.version();
+  maps_->hydrology = stages_.water.newest();
+  return {};
 }
 
 Status Run::environment() {
-  InputPointers inputs{maps_->land, maps_->derivatives, maps_->hydrology, document_.given_environment.geology};
-  for (const auto& layers : document_.given_environment.monthly) inputs.insert(inputs.end(), layers.begin(), layers.end());
-  return keep(maps_->environment, stages_.environment.get({inputs, document_.climate}, [&]() -> Result<EnvironmentMaps> {
-    auto maps = compute_environment(*maps_->land, *maps_->derivatives, *maps_->hydrology, document_.climate, context_);
-    if (!maps) return maps;
-    return with_given(std::move(*maps), document_.given_environment);
-  }));
+  if (Status done = update_environment(stages_.environment, environment_input(), context_); !done) return done;
+  maps_->environment = stages_.environment.maps;
+  return {};
 }
 
 Status Run::plants() {
-  const FoodWeb& web = *maps_->web;
+  const Status done = update_plants(stages_.plants, *biology_, maps_->plant_environment(), stages_.environment.changes,
+                                    maps_->plant_desired, nullptr, context_);
+  if (!done) return done;
+  painted_plants(*maps_);
+  return {};
+}
+
+/// Lays paint on the plants that competed, and sums them.
+void Run::painted_plants(MapsSnapshot& maps) {
+  const FoodWeb& web = *maps.web;
   const auto& level = web.levels.front();
-  maps_->plant_desired = desired(0);
-  if (Status done = update_plants(stages_.plants, *biology_, maps_->plant_environment(), maps_->plant_desired, context_); !done) {
-    return done;
-  }
   stages_.covers.resize(level.size());
   std::vector<std::shared_ptr<const CoverMap>> trees;
   for (std::size_t i = 0; i < level.size(); ++i) {
     const Species& plant = web.species[std::size_t(level[i])];
-    update_painted_cover(stages_.covers[i], stages_.plants.covers[i], maps_->paint({LayerKind::plant_density, plant.name}));
-    maps_->computed_cover.push_back(stages_.plants.covers[i]);
-    maps_->cover.push_back(stages_.covers[i].cover);
+    update_painted_cover(stages_.covers[i], stages_.plants.covers[i], maps.paint({LayerKind::plant_density, plant.name}));
+    maps.computed_cover.push_back(stages_.plants.covers[i]);
+    maps.cover.push_back(stages_.covers[i].cover);
     if (plant.plant().stratum == Stratum::tree) trees.push_back(stages_.covers[i].cover);
   }
   const auto& height = document_.terrain->height;
   update_tree_cover(stages_.tree_cover, std::move(trees), height.width(), height.height());
-  maps_->tree_cover = stages_.tree_cover.cover;
-  update_cover_totals(stages_.cover_totals, maps_->cover);
-  maps_->plant_achieved = shares_of(stages_.cover_totals);
-  return {};
+  maps.tree_cover = stages_.tree_cover.cover;
+  update_cover_totals(stages_.cover_totals, maps.cover);
+  maps.plant_achieved = shares_of(stages_.cover_totals);
 }
 
 Status Run::animal_level(std::size_t index) {
@@ -355,6 +379,8 @@ Status check_inputs(const Document& document) {
 }
 
 }  // namespace
+
+void SolveCache::release_unused() { release_memory(*stages_); }
 
 Result<std::shared_ptr<const MapsSnapshot>> solve(const Document& document, SolveCache* cache, const TaskContext& context,
                                                   const PublishPartial& publish) {

@@ -25,6 +25,9 @@ class SolveCache {
   struct Stages;
   [[nodiscard]] Stages& stages() { return *stages_; }
 
+  /// Gives back memory that only waits for the next change of the ground. Results stay.
+  void release_unused();
+
  private:
   std::unique_ptr<Stages> stages_;
 };
@@ -34,6 +37,9 @@ class SolveCache {
 [[nodiscard]] Result<std::shared_ptr<const MapsSnapshot>> solve(const Document& document, SolveCache* cache = nullptr,
                                                                 const TaskContext& context = {},
                                                                 const PublishPartial& publish = {});
+
+/// Stage that answers a change of the ground around it; what follows makes the answer exact.
+inline constexpr const char* nearby_stage = "nearby";
 
 /// Message of a solve that was stopped by its context.
 inline constexpr const char* stopped_message = "Stopped.";

@@ -7,22 +7,27 @@
 
 #include "core/movement/movement_cache.hpp"
 #include "core/pipeline/cover_totals.hpp"
+#include "core/pipeline/environment_stage.hpp"
+#include "core/pipeline/ground_stages.hpp"
 #include "core/pipeline/memo.hpp"
 #include "core/pipeline/solve.hpp"
+#include "core/terrain/hydrology_state.hpp"
 
 namespace biotope {
 
 /// Pointers that an operator read; two runs read the same when these are equal.
 using InputPointers = std::vector<std::shared_ptr<const void>>;
 
-/// State of the plants' competition: output tiles and the paint they were computed under.
+/// State of the plants' competition: output tiles and what they were computed from.
 struct PlantStage {
-  std::shared_ptr<const EnvironmentMaps> environment;
-  std::shared_ptr<const FoodWeb> biology;
+  /// Version of the environment; what changed since is stale.
+  std::uint64_t seen_environment = 0;
   std::vector<double> desired;
   std::array<std::shared_ptr<const PaintLayer>, monthly_resources> paint;
   SoilPaint soil;
   std::vector<std::shared_ptr<const CoverMap>> covers;
+  /// Small tiles whose plants have to compete again.
+  TileSet stale;
 };
 
 /// One plant's cover with its own paint over it.
@@ -39,16 +44,17 @@ struct TreeCoverStage {
 
 /// Everything a SolveCache keeps, one member an operator.
 struct SolveCache::Stages {
-  /// Ground with paint and drawn water, and its mean height.
-  Memo<std::tuple<InputPointers, DrawnWater>, Terrain> land;
+  LandStage land;
+  /// Mean height of the file's terrain.
   Memo<InputPointers, double> mean_height;
   /// What a person placed for animals: the same pointers while the values are equal. `opened` leaves out what only leads their
   /// ways.
   std::shared_ptr<const Places> places;
   std::shared_ptr<const Places> opened;
-  Memo<InputPointers, Derivatives> derivatives;
-  Memo<std::tuple<InputPointers, std::vector<std::array<double, 3>>, double>, Hydrology> hydrology;
-  Memo<std::tuple<InputPointers, Climate>, EnvironmentMaps> environment;
+  SlopeStage slopes;
+  HydrologyState water;
+  std::uint64_t water_seen_land = 0;
+  EnvironmentStage environment;
   /// The food web without desired shares: a change of shares alone must not run what does not read them.
   std::shared_ptr<const FoodWeb> biology;
   PlantStage plants;
@@ -66,9 +72,11 @@ struct SolveCache::Stages {
   MovementCache travelled;
 };
 
-/// Brings a plant stage up to date: everything when its environment or species changed, else only the tiles whose paint did.
+/// Brings a plant stage up to date: everything when its species changed, else only the tiles whose environment or paint did, and of those
+/// only the ones in `near` unless it is null; the others stay stale. `changes` are those of the environment's maps.
 [[nodiscard]] Status update_plants(PlantStage& stage, const FoodWeb& web, const PlantEnvironment& environment,
-                                   const std::vector<double>& desired, const TaskContext& context);
+                                   const ChangeLog& changes, const std::vector<double>& desired, const TileSet* near,
+                                   const TaskContext& context);
 
 /// Lays a plant's paint over its computed cover, tile by tile where something changed.
 void update_painted_cover(PaintedCover& stage, const std::shared_ptr<const CoverMap>& computed,

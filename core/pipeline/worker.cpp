@@ -25,7 +25,8 @@ namespace biotope {
 // and stops it. Any other edit (paint of every kind, things placed) never stops a run that is still at the levels of the food
 // chain: they are published again and again while a stroke lasts. The tail of a run, travel, trails and plans, gives way to such
 // an edit, so that the levels keep up with the brush; but once edits waited for `patience`, the tail goes on to its end whatever
-// arrives.
+// arrives. A run that has answered a change of the ground near the brush gives way in the same manner: the next dab is answered
+// near it first.
 struct Worker::State {
   struct Job {
     Document document;
@@ -44,8 +45,8 @@ struct Worker::State {
   std::shared_ptr<const MapsSnapshot> latest;
   std::shared_ptr<const MapsSnapshot> complete;
   WorkerProgress progress;
-  /// Whether the run is past the levels of the food chain.
-  bool in_tail = false;
+  /// Whether the run gives way to edits: past the levels of the food chain, or past an answer near the brush.
+  bool gives_way = false;
   /// Since when edits wait for a complete answer: the first of them, or the last complete answer if that came later.
   std::chrono::steady_clock::time_point waiting_since;
   SolveCache cache;
@@ -65,6 +66,8 @@ namespace {
 
 /// Between looks at maps that nobody shows any more.
 constexpr std::chrono::milliseconds free_every{300};
+/// After so long a rest memory for the next stroke on the ground is given back. Our choice.
+constexpr std::chrono::seconds rest{10};
 
 bool same_world(const Document& a, const Document& b) {
   return a.terrain == b.terrain && a.climate == b.climate && a.species == b.species;
@@ -83,8 +86,8 @@ std::uint64_t Worker::State::post(Document document, bool from_scratch) {
   const bool scratch = from_scratch || (slot && slot->from_scratch);
   const auto now = std::chrono::steady_clock::now();
   if (!running && !slot) waiting_since = now;
-  const bool tail_gives_way = in_tail && now - waiting_since < patience;
-  if (running && (from_scratch || tail_gives_way || !same_world(*running, document))) run_stop.request_stop();
+  const bool early = gives_way && now - waiting_since < patience;
+  if (running && (from_scratch || early || !same_world(*running, document))) run_stop.request_stop();
   slot = Job{std::move(document), ++posted, scratch};
   progress.busy = true;
   wake.notify_one();
@@ -99,8 +102,14 @@ void Worker::State::free_old_maps() {
 
 void Worker::State::loop(std::stop_token stop) {
   const BackgroundPriority priority;
+  auto last_run = std::chrono::steady_clock::now();
+  bool resting = true;
   while (true) {
     free_old_maps();
+    if (!resting && std::chrono::steady_clock::now() - last_run > rest) {
+      cache.release_unused();
+      resting = true;
+    }
     Job job;
     {
       std::unique_lock lock(mutex);
@@ -125,6 +134,8 @@ void Worker::State::loop(std::stop_token stop) {
       run_stop.request_stop();
     });
     run(job);
+    last_run = std::chrono::steady_clock::now();
+    resting = false;
   }
 }
 
@@ -136,18 +147,21 @@ void Worker::State::run(const Job& job) {
     context.stop = run_stop.get_token();
     progress.busy = true;
     progress.levels_done = 0;
-    in_tail = false;
+    gives_way = false;
   }
   context.progress = [this](std::string_view stage, double fraction) {
     const std::lock_guard lock(mutex);
     progress.stage = stage;
     progress.fraction = fraction;
-    in_tail = in_tail || is_tail(stage);
+    gives_way = gives_way || is_tail(stage);
     // An edit that arrived while the levels were computed is answered before the tail begins.
-    if (in_tail && slot && std::chrono::steady_clock::now() - waiting_since < patience) run_stop.request_stop();
+    if (gives_way && slot && std::chrono::steady_clock::now() - waiting_since < patience) run_stop.request_stop();
   };
   const auto show = [&](std::shared_ptr<const MapsSnapshot> partial) {
-    if (!context.stopped()) publish(*partial, job.revision);
+    if (context.stopped()) return;
+    publish(*partial, job.revision);
+    const std::lock_guard lock(mutex);
+    gives_way = gives_way || progress.stage == nearby_stage;
   };
   Result<std::shared_ptr<const MapsSnapshot>> result = fail(stopped_message);
   try {

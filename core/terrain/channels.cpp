@@ -6,6 +6,7 @@
 #include "core/terrain/flow_routing.hpp"
 #include "core/terrain/neighbours.hpp"
 #include "core/terrain/water_marking.hpp"
+#include "core/terrain/water_updates.hpp"
 
 namespace biotope {
 namespace {
@@ -49,6 +50,23 @@ RiverReach follow_reach(const Hydrology& hydrology, std::size_t start) {
   return reach;
 }
 
+/// Follows the water that enters with an inflow until it leaves the map.
+template <class Body>
+void each_cell_downstream(const Grid<std::uint8_t>& receiver, const Inflow& inflow, const Body& body) {
+  const auto offsets = neighbour_offsets(receiver.width());
+  std::size_t cell = receiver.index(inflow.x, inflow.y);
+  while (true) {
+    body(cell);
+    if (receiver[cell] == leaves_map) return;
+    cell += std::size_t(offsets[receiver[cell]]);
+  }
+}
+
+/// What is less than a channel, and what is lost in standing water, is no discharge.
+void leave_channels(const HydrologyOptions& options, Hydrology& hydrology, std::size_t cell) {
+  if (hydrology.discharge[cell] < float(options.channel_discharge) || standing(hydrology.water[cell])) hydrology.discharge[cell] = 0;
+}
+
 }  // namespace
 
 float mean_discharge(double catchment_area, double runoff) { return float(catchment_area * runoff / seconds_per_year); }
@@ -57,27 +75,39 @@ float river_width(float discharge) { return 4.5F * std::sqrt(discharge); }
 
 float river_depth(float discharge) { return discharge > 0 ? 0.3F * std::pow(discharge, 0.4F) : 0.0F; }
 
-void mark_discharge(const Terrain& terrain, const HydrologyOptions& options, Hydrology& hydrology) {
-  const Grid<std::uint32_t> upstream = upstream_cells(hydrology.receiver);
+Grid<std::uint32_t> mark_discharge(const Terrain& terrain, const HydrologyOptions& options, Hydrology& hydrology) {
+  Grid<std::uint32_t> upstream = upstream_cells(hydrology.receiver);
   Grid<float>& discharge = hydrology.discharge;
   parallel_rows(0, discharge.height(), [&](int y) {
     for (int x = 0; x < discharge.width(); ++x) discharge(x, y) = mean_discharge(upstream(x, y) * terrain.cell_area(), options.runoff);
   });
-  const auto offsets = neighbour_offsets(discharge.width());
   for (const Inflow& inflow : options.inflows) {
-    std::size_t cell = discharge.index(inflow.x, inflow.y);
-    while (true) {
-      discharge[cell] += mean_discharge(inflow.catchment_area, options.runoff);
-      if (hydrology.receiver[cell] == leaves_map) break;
-      cell += std::size_t(offsets[hydrology.receiver[cell]]);
-    }
+    const float more = mean_discharge(inflow.catchment_area, options.runoff);
+    each_cell_downstream(hydrology.receiver, inflow, [&](std::size_t cell) { discharge[cell] += more; });
   }
-  const auto least = float(options.channel_discharge);
   parallel_rows(0, discharge.height(), [&](int y) {
-    for (int x = 0; x < discharge.width(); ++x) {
-      if (discharge(x, y) < least || standing(hydrology.water(x, y))) discharge(x, y) = 0;
-    }
+    for (int x = 0; x < discharge.width(); ++x) leave_channels(options, hydrology, discharge.index(x, y));
   });
+  return upstream;
+}
+
+TileSet update_discharge(const Terrain& terrain, const HydrologyOptions& options, const Grid<std::uint32_t>& upstream,
+                         const Hydrology& before, DischargeChange change, Hydrology& water) {
+  const auto add = [&](std::size_t cell) { change.cells.push_back(std::uint32_t(cell)); };
+  for (const Inflow& inflow : change.inflows_before) each_cell_downstream(before.receiver, inflow, add);
+  for (const Inflow& inflow : options.inflows) each_cell_downstream(water.receiver, inflow, add);
+  Grid<float>& discharge = water.discharge;
+  for (const std::uint32_t cell : change.cells) discharge[cell] = mean_discharge(upstream[cell] * terrain.cell_area(), options.runoff);
+  for (const Inflow& inflow : options.inflows) {
+    const float more = mean_discharge(inflow.catchment_area, options.runoff);
+    each_cell_downstream(water.receiver, inflow, [&](std::size_t cell) { discharge[cell] += more; });
+  }
+  TileSet changed(discharge.width(), discharge.height());
+  for (const std::uint32_t cell : change.cells) {
+    leave_channels(options, water, cell);
+    if (discharge[cell] != before.discharge[cell]) changed.insert_cell(cell);
+  }
+  return changed;
 }
 
 void trace_reaches(Hydrology& hydrology) {

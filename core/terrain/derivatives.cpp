@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/base/parallel.hpp"
+#include "core/terrain/ground_tiles.hpp"
 
 namespace biotope {
 namespace {
@@ -41,26 +42,34 @@ inline void differentiate(const RowStencil& s, const RowOutput& out, std::size_t
 
 }  // namespace
 
-Derivatives compute_derivatives(const Terrain& terrain) {
+void differentiate(const Terrain& terrain, const Rect& cells, Derivatives& out) {
   const int width = terrain.height.width();
   const int height = terrain.height.height();
-  Derivatives result{Grid<float>(width, height), Grid<float>(width, height), Grid<float>(width, height), Grid<float>(width, height)};
   const float cell = float(terrain.cell_size);
   const float bend = 1 / (cell * cell);
-  parallel_rows(0, height, [&](int y) {
+  const std::size_t last = std::size_t(width) - 1;
+  for (int y = cells.y0; y < cells.y1; ++y) {
     const int above = std::max(y - 1, 0);
     const int below = std::min(y + 1, height - 1);
     const int rows = below - above;
     RowStencil stencil{terrain.height.row(above), terrain.height.row(y), terrain.height.row(below), 1 / (8 * cell),
                        rows > 0 ? 1 / (4 * cell * float(rows)) : 0.0F, rows == 2 ? bend : 0.0F, bend};
-    const RowOutput out{result.east.row(y), result.north.row(y), result.slope.row(y), result.curvature.row(y)};
-    const std::size_t last = std::size_t(width) - 1;
-    for (std::size_t x = 1; x < last; ++x) differentiate(stencil, out, x - 1, x, x + 1);
+    const RowOutput row{out.east.row(y), out.north.row(y), out.slope.row(y), out.curvature.row(y)};
+    const auto first_inside = std::max<std::size_t>(1, std::size_t(cells.x0));
+    const auto end_inside = std::min(last, std::size_t(cells.x1));
+    for (std::size_t x = first_inside; x < end_inside; ++x) differentiate(stencil, row, x - 1, x, x + 1);
     stencil.east_scale = width > 1 ? 1 / (4 * cell) : 0.0F;
     stencil.bend_east = 0;
-    differentiate(stencil, out, 0, 0, std::min<std::size_t>(1, last));
-    if (last > 0) differentiate(stencil, out, last - 1, last, last);
-  });
+    if (cells.x0 == 0) differentiate(stencil, row, 0, 0, std::min<std::size_t>(1, last));
+    if (last > 0 && cells.x1 == width) differentiate(stencil, row, last - 1, last, last);
+  }
+}
+
+Derivatives compute_derivatives(const Terrain& terrain) {
+  const int width = terrain.height.width();
+  const int height = terrain.height.height();
+  Derivatives result{Grid<float>(width, height), Grid<float>(width, height), Grid<float>(width, height), Grid<float>(width, height)};
+  parallel_rows(0, height, [&](int y) { differentiate(terrain, {0, y, width, y + 1}, result); });
   return result;
 }
 

@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "core/base/parallel.hpp"
+#include "core/terrain/flow_change.hpp"
 #include "core/terrain/flow_routing.hpp"
+#include "core/terrain/flow_updates.hpp"
 #include "core/terrain/neighbours.hpp"
 #include "core/terrain/vector_clones.hpp"
 
@@ -69,43 +71,45 @@ void raise_to_exponent(Shares& falls) {
   }
 }
 
-/// Passes water down until no cell whose donors are all done is left.
-class MultipleFlow {
+using Units = CatchmentField::Units;
+using Gives = std::array<Units, 8>;
+
+/// How water leaves cells of a filled ground.
+class Outflow {
  public:
-  MultipleFlow(const Grid<float>& filled, const Grid<std::uint8_t>& receiver, Grid<std::uint8_t>& donors, Grid<double>& area)
-      : filled_(filled), receiver_(receiver), donors_(donors), area_(area), offsets_(neighbour_offsets(filled.width())) {}
+  Outflow(const Grid<float>& filled, const Grid<std::uint8_t>& receiver)
+      : filled_(filled), receiver_(receiver), offsets_(neighbour_offsets(filled.width())) {}
 
-  void run() {
-    for (std::size_t cell = 0; cell < donors_.size(); ++cell) {
-      if (donors_[cell] == 0) ready_.push_back(std::uint32_t(cell));
-      while (!ready_.empty()) {
-        const std::uint32_t next = ready_.back();
-        ready_.pop_back();
-        pass_on(next);
-      }
-    }
-  }
+  [[nodiscard]] const std::array<std::ptrdiff_t, 8>& offsets() const { return offsets_; }
 
- private:
-  void pass_on(std::uint32_t cell) {
-    donors_[cell] = passed_on;
+  /// What each neighbour gets of a cell's water; calls to(d) for those that get a share, however small.
+  template <class To>
+  Gives gives(std::uint32_t cell, Units water, const To& to) const {
+    Gives out{};
     const std::uint8_t direction = receiver_[cell];
-    if (direction == leaves_map) return;
-    const float here = filled_[cell];
-    if (!(filled_[cell + std::size_t(offsets_[direction])] < here)) {
-      give(cell + std::size_t(offsets_[direction]), area_[cell]);
-      return;
+    if (direction == leaves_map) return out;
+    if (!(filled_[cell + std::size_t(offsets_[direction])] < filled_[cell])) {
+      out[direction] = water;
+      to(direction);
+      return out;
     }
     Shares shares = falls_from(cell);
     raise_to_exponent(shares);
     float sum = 0;
     for (const float share : shares) sum += share;
-    const double part = area_[cell] / double(sum);
+    const double part = double(water) / double(sum);
+    Units rest = water;
     for (std::size_t d = 0; d < 8; ++d) {
-      if (shares[d] > 0) give(cell + std::size_t(offsets_[d]), part * double(shares[d]));
+      if (!(shares[d] > 0)) continue;
+      out[d] = Units(part * double(shares[d]));
+      rest -= out[d];
+      to(d);
     }
+    out[direction] += rest;  // no water is lost to rounding
+    return out;
   }
 
+ private:
   [[nodiscard]] Shares falls_from(std::uint32_t cell) const {
     Shares falls{};
     const float here = filled_[cell];
@@ -121,20 +125,141 @@ class MultipleFlow {
     return falls;
   }
 
-  void give(std::size_t cell, double area) {
-    area_[cell] += area;
-    if (--donors_[cell] == 0) ready_.push_back(std::uint32_t(cell));
-  }
-
   const Grid<float>& filled_;
   const Grid<std::uint8_t>& receiver_;
-  Grid<std::uint8_t>& donors_;
-  Grid<double>& area_;
   std::array<std::ptrdiff_t, 8> offsets_;
+};
+
+/// Passes water down until no cell whose donors are all done is left.
+class MultipleFlow {
+ public:
+  MultipleFlow(const Outflow& outflow, Grid<std::uint8_t>& donors, Grid<Units>& water)
+      : outflow_(outflow), donors_(donors), water_(water) {}
+
+  void run() {
+    for (std::size_t cell = 0; cell < donors_.size(); ++cell) {
+      if (donors_[cell] == 0) ready_.push_back(std::uint32_t(cell));
+      while (!ready_.empty()) {
+        const std::uint32_t next = ready_.back();
+        ready_.pop_back();
+        pass_on(next);
+      }
+    }
+  }
+
+ private:
+  void pass_on(std::uint32_t cell) {
+    donors_[cell] = passed_on;
+    std::array<std::size_t, 8> to{};
+    std::size_t count = 0;
+    const Gives gives = outflow_.gives(cell, water_[cell], [&](std::size_t d) { to[count++] = d; });
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t below = cell + std::size_t(outflow_.offsets()[to[i]]);
+      water_[below] += gives[to[i]];
+      if (--donors_[below] == 0) ready_.push_back(std::uint32_t(below));
+    }
+  }
+
+  const Outflow& outflow_;
+  Grid<std::uint8_t>& donors_;
+  Grid<Units>& water_;
   std::vector<std::uint32_t> ready_;
 };
 
+/// Parts of a cell's area that water is counted in: at most 2^16, fewer where a great river would overflow.
+double unit_of(std::size_t cells, double cell_area, std::span<const Inflow> inflows) {
+  double total = double(cells) * cell_area;
+  for (const Inflow& inflow : inflows) total += inflow.catchment_area;
+  const int bits = std::ilogb(total / cell_area) + 1;
+  return std::ldexp(cell_area, -std::min(16, 61 - bits));
+}
+
+Units units_of(const Inflow& inflow, double unit) { return Units(std::llround(inflow.catchment_area / unit)); }
+
 }  // namespace
+
+Grid<float> CatchmentField::restart(const Grid<float>& filled, const Grid<std::uint8_t>& receiver, double cell_area,
+                                    std::span<const Inflow> inflows) {
+  unit_ = unit_of(filled.size(), cell_area, inflows);
+  inflows_.assign(inflows.begin(), inflows.end());
+  Grid<std::uint8_t> donors = count_multiple_donors(filled, receiver);
+  water_ = Grid<Units>(filled.width(), filled.height(), Units(std::llround(cell_area / unit_)));
+  for (const Inflow& inflow : inflows) water_(inflow.x, inflow.y) += units_of(inflow, unit_);
+  MultipleFlow(Outflow(filled, receiver), donors, water_).run();
+  Grid<float> area(filled.width(), filled.height());
+  parallel_rows(0, filled.height(), [&](int y) {
+    const auto from = water_.row(y);
+    const auto to = area.row(y);
+    for (std::size_t x = 0; x < to.size(); ++x) to[x] = area_of(from[x]);
+  });
+  return area;
+}
+
+bool CatchmentField::can_follow(double cell_area, std::span<const Inflow> inflows) const {
+  return !water_.empty() && unit_ == unit_of(water_.size(), cell_area, inflows);
+}
+
+TileSet CatchmentField::update(const FlowGround& before, const FlowGround& after, const TileSet& moved, std::span<const Inflow> inflows,
+                               Grid<float>& area) {
+  const Grid<float>& filled = after.filled;
+  FlowChange<Units> change(filled, after.receiver);
+  const std::vector<std::size_t> list = moved.list();
+  for (const std::size_t tile : list) {
+    const Rect cells = moved.rect(tile);
+    for (int y = cells.y0; y < cells.y1; ++y) {
+      for (int x = cells.x0; x < cells.x1; ++x) {
+        const bool raised = filled(x, y) != before.filled(x, y);
+        if (!raised && after.receiver(x, y) == before.receiver(x, y)) continue;
+        const Rect around = raised ? intersection(grown({x, y, x + 1, y + 1}, 1), filled.rect()) : Rect{x, y, x + 1, y + 1};
+        for (int ny = around.y0; ny < around.y1; ++ny) {
+          for (int nx = around.x0; nx < around.x1; ++nx) change.redirect(std::uint32_t(filled.index(nx, ny)));
+        }
+      }
+    }
+  }
+  for (const Inflow& inflow : inflows_) change.add(std::uint32_t(filled.index(inflow.x, inflow.y)), -units_of(inflow, unit_));
+  for (const Inflow& inflow : inflows) change.add(std::uint32_t(filled.index(inflow.x, inflow.y)), units_of(inflow, unit_));
+  inflows_.assign(inflows.begin(), inflows.end());
+  const Outflow old_rule(before.filled, before.receiver);
+  const Outflow new_rule(after.filled, after.receiver);
+  const auto nobody = [](std::size_t) {};
+  TileSet changed(filled.width(), filled.height());
+  change.run(
+      water_, [&](std::uint32_t cell, Units water) { return old_rule.gives(cell, water, nobody); },
+      [&](std::uint32_t cell, Units water) { return new_rule.gives(cell, water, nobody); },
+      [&](std::uint32_t cell) {
+        const float now = area_of(water_[cell]);
+        if (area[cell] == now) return;
+        area[cell] = now;
+        changed.insert_cell(cell);
+      });
+  return changed;
+}
+
+std::vector<std::uint32_t> update_upstream_cells(const FlowGround& before, const FlowGround& after, const TileSet& moved,
+                                                 Grid<std::uint32_t>& cells) {
+  using Count = std::uint32_t;
+  FlowChange<Count> change(after.filled, after.receiver);
+  for (const std::size_t tile : moved.list()) {
+    const Rect rect = moved.rect(tile);
+    for (int y = rect.y0; y < rect.y1; ++y) {
+      for (int x = rect.x0; x < rect.x1; ++x) {
+        if (after.receiver(x, y) != before.receiver(x, y)) change.redirect(std::uint32_t(cells.index(x, y)));
+      }
+    }
+  }
+  std::vector<std::uint32_t> seen;
+  const auto gives = [](const Grid<std::uint8_t>& receiver, std::uint32_t cell, Count count) {
+    FlowChange<Count>::Gives to{};
+    if (receiver[cell] != leaves_map) to[receiver[cell]] = count;
+    return to;
+  };
+  change.run(
+      cells, [&](std::uint32_t cell, Count count) { return gives(before.receiver, cell, count); },
+      [&](std::uint32_t cell, Count count) { return gives(after.receiver, cell, count); },
+      [&](std::uint32_t cell) { seen.push_back(cell); });
+  return seen;
+}
 
 Grid<std::uint32_t> upstream_cells(const Grid<std::uint8_t>& receiver) {
   Grid<std::uint8_t> donors = count_donors(receiver);
@@ -157,18 +282,7 @@ Grid<std::uint32_t> upstream_cells(const Grid<std::uint8_t>& receiver) {
 
 Grid<float> multiple_flow_area(const Grid<float>& filled, const Grid<std::uint8_t>& receiver, double cell_area,
                                std::span<const Inflow> inflows) {
-  Grid<std::uint8_t> donors = count_multiple_donors(filled, receiver);
-  // Doubles: a river of 300 km2 must still feel one square metre.
-  Grid<double> area(filled.width(), filled.height(), cell_area);
-  for (const Inflow& inflow : inflows) area(inflow.x, inflow.y) += inflow.catchment_area;
-  MultipleFlow(filled, receiver, donors, area).run();
-  Grid<float> result(filled.width(), filled.height());
-  parallel_rows(0, filled.height(), [&](int y) {
-    const auto from = area.row(y);
-    const auto to = result.row(y);
-    for (std::size_t x = 0; x < to.size(); ++x) to[x] = float(from[x]);
-  });
-  return result;
+  return CatchmentField().restart(filled, receiver, cell_area, inflows);
 }
 
 }  // namespace biotope

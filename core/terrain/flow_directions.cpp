@@ -2,8 +2,10 @@
 #include <vector>
 
 #include "core/base/parallel.hpp"
+#include "core/terrain/flow_updates.hpp"
 #include "core/terrain/flow_routing.hpp"
 #include "core/terrain/neighbours.hpp"
+#include "core/terrain/tile_changes.hpp"
 
 namespace biotope {
 namespace {
@@ -45,36 +47,96 @@ std::uint8_t steepest_on_border(const Grid<float>& filled, int x, int y, bool in
   return direction;
 }
 
-/// Leads flats to where they empty: breadth first from the cells that already know their way.
-void resolve_flats(const Grid<float>& filled, Grid<std::uint8_t>& receiver) {
-  const int width = filled.width();
+/// What a cell's own surroundings say, or undecided on a flat.
+std::uint8_t steepest(const Grid<float>& filled, const Grid<std::uint8_t>& inlets, const std::array<std::ptrdiff_t, 8>& offsets, int x,
+                      int y) {
+  const bool border = x == 0 || y == 0 || x == filled.width() - 1 || y == filled.height() - 1;
+  if (border) return steepest_on_border(filled, x, y, !inlets.empty() && inlets(x, y) != 0);
+  return steepest_inside(&filled(x, y), offsets);
+}
+
+/// Leads flats to where they empty: breadth first from the cells that already know their way. `undecided_cells` ascend, so that the result does
+/// not depend on anything but the ground.
+void resolve_flats(const Grid<float>& filled, const std::vector<std::uint32_t>& undecided_cells, Grid<std::uint8_t>& receiver) {
+  const auto width = std::uint32_t(filled.width());
   std::vector<std::uint32_t> queue;
-  const auto spread = [&](int x, int y) {
+  const auto spread = [&](std::uint32_t cell) {
+    const int x = int(cell % width);
+    const int y = int(cell / width);
     for (std::size_t d = 0; d < 8; ++d) {
       const int nx = x + neighbour_dx[d];
       const int ny = y + neighbour_dy[d];
-      if (!filled.contains(nx, ny) || receiver(nx, ny) != undecided || filled(nx, ny) != filled(x, y)) continue;
+      if (!filled.contains(nx, ny) || receiver(nx, ny) != undecided || filled(nx, ny) != filled[cell]) continue;
       receiver(nx, ny) = std::uint8_t(opposite_direction(int(d)));
       queue.push_back(std::uint32_t(filled.index(nx, ny)));
     }
   };
-  // The first ring in row order, so that the result does not depend on anything but the ground.
   std::vector<std::uint32_t> rim;
-  for (int y = 0; y < filled.height(); ++y) {
-    for (int x = 0; x < width; ++x) {
-      if (receiver(x, y) != undecided) continue;
-      for (std::size_t d = 0; d < 8; ++d) {
-        const int nx = x + neighbour_dx[d];
-        const int ny = y + neighbour_dy[d];
-        if (filled.contains(nx, ny) && filled(nx, ny) == filled(x, y) && receiver(nx, ny) != undecided) rim.push_back(std::uint32_t(filled.index(nx, ny)));
+  for (const std::uint32_t cell : undecided_cells) {
+    const int x = int(cell % width);
+    const int y = int(cell / width);
+    for (std::size_t d = 0; d < 8; ++d) {
+      const int nx = x + neighbour_dx[d];
+      const int ny = y + neighbour_dy[d];
+      if (filled.contains(nx, ny) && filled(nx, ny) == filled[cell] && receiver(nx, ny) != undecided) {
+        rim.push_back(std::uint32_t(filled.index(nx, ny)));
       }
     }
   }
-  for (const std::uint32_t cell : rim) spread(int(cell % std::uint32_t(width)), int(cell / std::uint32_t(width)));
-  for (std::size_t next = 0; next < queue.size(); ++next) {
-    spread(int(queue[next] % std::uint32_t(width)), int(queue[next] / std::uint32_t(width)));
-  }
+  for (const std::uint32_t cell : rim) spread(cell);
+  for (std::size_t next = 0; next < queue.size(); ++next) spread(queue[next]);
 }
+
+/// Undecided cells of all flats that reach into the cells asked about. Flats that share a cell of their rims belong together, for its water's
+/// way into one follows from that into the other. Marks them all undecided in `receiver`.
+class FlatGathering {
+ public:
+  FlatGathering(const Grid<float>& filled, const Grid<std::uint8_t>& inlets, Grid<std::uint8_t>& receiver)
+      : filled_(filled), inlets_(inlets), receiver_(receiver), offsets_(neighbour_offsets(filled.width())) {}
+
+  /// Cells that are undecided already.
+  void start(std::vector<std::uint32_t> cells) { found_ = std::move(cells); }
+
+  std::vector<std::uint32_t> gather() {
+    for (std::size_t next = 0; next < found_.size(); ++next) {
+      each_level_neighbour(found_[next], [&](int x, int y) {
+        if (receiver_(x, y) == undecided) return;
+        if (flat(x, y)) {
+          take(x, y);
+        } else {
+          each_level_neighbour(std::uint32_t(filled_.index(x, y)), [&](int bx, int by) {
+            if (receiver_(bx, by) != undecided && flat(bx, by)) take(bx, by);
+          });
+        }
+      });
+    }
+    std::sort(found_.begin(), found_.end());
+    return std::move(found_);
+  }
+
+ private:
+  [[nodiscard]] bool flat(int x, int y) const { return steepest(filled_, inlets_, offsets_, x, y) == undecided; }
+  void take(int x, int y) {
+    receiver_(x, y) = undecided;
+    found_.push_back(std::uint32_t(filled_.index(x, y)));
+  }
+  template <class Body>
+  void each_level_neighbour(std::uint32_t cell, const Body& body) const {
+    const int x = int(cell % std::uint32_t(filled_.width()));
+    const int y = int(cell / std::uint32_t(filled_.width()));
+    for (std::size_t d = 0; d < 8; ++d) {
+      const int nx = x + neighbour_dx[d];
+      const int ny = y + neighbour_dy[d];
+      if (filled_.contains(nx, ny) && filled_(nx, ny) == filled_[cell]) body(nx, ny);
+    }
+  }
+
+  const Grid<float>& filled_;
+  const Grid<std::uint8_t>& inlets_;
+  Grid<std::uint8_t>& receiver_;
+  std::array<std::ptrdiff_t, 8> offsets_;
+  std::vector<std::uint32_t> found_;
+};
 
 }  // namespace
 
@@ -84,22 +146,51 @@ Grid<std::uint8_t> flow_directions(const Grid<float>& filled, const Grid<std::ui
   Grid<std::uint8_t> receiver(width, height);
   const auto offsets = neighbour_offsets(width);
   parallel_rows(0, height, [&](int y) {
-    const auto heights = filled.row(y);
     const auto out = receiver.row(y);
-    const bool border_row = y == 0 || y == height - 1;
     for (int x = 0; x < width; ++x) {
-      const bool border = border_row || x == 0 || x == width - 1;
-      if (!sea.empty() && sea(x, y) != 0) {
-        out[std::size_t(x)] = leaves_map;
-      } else if (border) {
-        out[std::size_t(x)] = steepest_on_border(filled, x, y, !inlets.empty() && inlets(x, y) != 0);
-      } else {
-        out[std::size_t(x)] = steepest_inside(&heights[std::size_t(x)], offsets);
-      }
+      const bool drowned = !sea.empty() && sea(x, y) != 0;
+      out[std::size_t(x)] = drowned ? leaves_map : steepest(filled, inlets, offsets, x, y);
     }
   });
-  resolve_flats(filled, receiver);
+  std::vector<std::uint32_t> flats;
+  for (std::size_t cell = 0; cell < receiver.size(); ++cell) {
+    if (receiver[cell] == undecided) flats.push_back(std::uint32_t(cell));
+  }
+  resolve_flats(filled, flats, receiver);
   return receiver;
+}
+
+TileSet update_flow_directions(const Grid<float>& filled, const Grid<std::uint8_t>& inlets, const TileSet& changed,
+                               const Grid<std::uint8_t>& before, Grid<std::uint8_t>& receiver) {
+  const TileSet asked = changed.grown(1);
+  const auto offsets = neighbour_offsets(filled.width());
+  const auto list = asked.list();
+  parallel_each(list.size(), [&](std::size_t i) {
+    const Rect cells = asked.rect(list[i]);
+    for (int y = cells.y0; y < cells.y1; ++y) {
+      for (int x = cells.x0; x < cells.x1; ++x) receiver(x, y) = steepest(filled, inlets, offsets, x, y);
+    }
+  });
+  std::vector<std::uint32_t> flats;
+  for (const std::size_t tile : list) {
+    const Rect cells = asked.rect(tile);
+    for (int y = cells.y0; y < cells.y1; ++y) {
+      for (int x = cells.x0; x < cells.x1; ++x) {
+        if (receiver(x, y) == undecided) flats.push_back(std::uint32_t(receiver.index(x, y)));
+      }
+    }
+  }
+  FlatGathering gathering(filled, inlets, receiver);
+  gathering.start(std::move(flats));
+  const std::vector<std::uint32_t> cells = gathering.gather();
+  resolve_flats(filled, cells, receiver);
+  TileSet touched = asked;
+  for (const std::uint32_t cell : cells) {
+    const int x = int(cell % std::uint32_t(filled.width()));
+    const int y = int(cell / std::uint32_t(filled.width()));
+    touched.insert({x, y, x + 1, y + 1});
+  }
+  return changed_tiles(touched, [&](const Rect& rect) { return !same_cells(receiver, before, rect); });
 }
 
 }  // namespace biotope

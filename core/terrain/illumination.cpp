@@ -4,30 +4,16 @@
 
 #include "core/base/parallel.hpp"
 #include "core/terrain/sun.hpp"
+#include "core/terrain/sunlight.hpp"
 #include "core/terrain/vector_clones.hpp"
 
 namespace biotope {
 namespace {
 
-constexpr int sector_count = 16;
+constexpr int sector_count = illumination_sectors;
 /// Cells treated together, so that their normals, horizons and sums stay in the first-level cache.
 constexpr int chunk = 256;
 using ChunkValues = std::array<float, chunk>;
-
-/// One hour (or the sunlit part of it) of one month's middle day.
-struct SunSample {
-  /// n.s x weight = up - east_factor x dz/dx - north_factor x dz/dy, before normalising.
-  float up = 0;
-  float east_factor = 0;
-  float north_factor = 0;
-  /// Lit fraction = (top - horizon) x inverse_band, clamped to 0..1: the share of the sample's time during which the sun stands above.
-  float top = 0;
-  float inverse_band = 0;
-  /// Horizon sectors on either side of the sun and the share of the second.
-  std::size_t sector = 0;
-  std::size_t next_sector = 0;
-  float sector_share = 0;
-};
 
 /// Terrain blurs a shadow's edge at least this much, rad. Our choice: about four sun's radii; the time the sun takes to pass a horizon
 /// blurs it further where the sun rises or sets, while a fixed 0.13 rad (7.5 degrees) would wash out the shade of whole valleys.
@@ -108,88 +94,90 @@ void add_sample(const SunSample& sample, const ChunkGround& ground, ChunkValues&
   }
 }
 
-/// Where each column of the terrain lies between the columns of the horizon grid.
-struct ColumnPlaces {
-  std::vector<std::uint16_t> left;
-  std::vector<float> share;
-};
+void load_slopes(const Derivatives& derivatives, int y, std::size_t x0, std::size_t count, std::size_t at, ChunkGround& ground) {
+  const auto east = derivatives.east.row(y);
+  const auto north = derivatives.north.row(y);
+  for (std::size_t i = 0; i < count; ++i) {
+    const float gx = east[x0 + i];
+    const float gy = north[x0 + i];
+    ground.east[at + i] = gx;
+    ground.north[at + i] = gy;
+    ground.inverse_norm[at + i] = 1 / std::sqrt(1 + gx * gx + gy * gy);
+  }
+}
 
 /// Cell coordinate on the horizon grid of a terrain column or row.
 double coarse_place(int fine, int stride, int count) {
   return std::clamp((fine - (stride - 1) / 2.0) / stride, 0.0, double(count - 1));
 }
 
-ColumnPlaces column_places(int width, int stride, int columns) {
-  ColumnPlaces places{std::vector<std::uint16_t>(std::size_t(width)), std::vector<float>(std::size_t(width))};
-  for (int x = 0; x < width; ++x) {
-    const double place = coarse_place(x, stride, columns);
-    const int left = std::min(int(place), std::max(columns - 2, 0));
-    places.left[std::size_t(x)] = std::uint16_t(left);
-    places.share[std::size_t(x)] = float(place - left);
-  }
-  return places;
-}
-
-/// Horizons along one terrain row, still at the horizon grid's columns (one more column repeats the last).
-std::vector<float> row_horizons(const Horizons& horizons, int y) {
-  const int columns = horizons.sectors[0].width();
+/// Some columns of horizons along one terrain row, still at the horizon grid's columns (beyond the last it repeats).
+void horizons_of_row(const Horizons& horizons, int y, int first_column, int columns, std::vector<float>& out) {
   const int rows = horizons.sectors[0].height();
+  const int last = horizons.sectors[0].width() - 1;
   const double place = coarse_place(y, horizons.stride, rows);
   const int above = std::min(int(place), std::max(rows - 2, 0));
   const float share = float(place - above);
-  std::vector<float> row(std::size_t(columns + 1) * sector_count);
+  out.resize(std::size_t(columns) * sector_count);
   for (std::size_t s = 0; s < sector_count; ++s) {
     const auto north = horizons.sectors[s].row(above);
     const auto south = horizons.sectors[s].row(std::min(above + 1, rows - 1));
-    float* out = row.data() + s * std::size_t(columns + 1);
-    for (std::size_t x = 0; x < std::size_t(columns); ++x) out[x] = north[x] + share * (south[x] - north[x]);
-    out[columns] = out[columns - 1];
-  }
-  return row;
-}
-
-void load_chunk(const Derivatives& derivatives, const ColumnPlaces& places, const std::vector<float>& horizon_row, int y, std::size_t x0,
-                std::size_t count, ChunkGround& ground) {
-  const auto east = derivatives.east.row(y);
-  const auto north = derivatives.north.row(y);
-  for (std::size_t i = 0; i < count; ++i) {
-    const float gx = east[x0 + i];
-    const float gy = north[x0 + i];
-    ground.east[i] = gx;
-    ground.north[i] = gy;
-    ground.inverse_norm[i] = 1 / std::sqrt(1 + gx * gx + gy * gy);
-  }
-  const std::size_t columns = horizon_row.size() / sector_count;
-  for (std::size_t s = 0; s < sector_count; ++s) {
-    const float* row = horizon_row.data() + s * columns;
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t left = places.left[x0 + i];
-      ground.horizons[s][i] = row[left] + places.share[x0 + i] * (row[left + 1] - row[left]);
-    }
-  }
-}
-
-using MonthSamples = std::array<std::vector<SunSample>, 12>;
-using MonthGrids = std::array<Grid<float>, 12>;
-
-void illuminate_row(const Derivatives& derivatives, const Horizons& horizons, const ColumnPlaces& places, const MonthSamples& samples,
-                    int y, MonthGrids& grids) {
-  const std::vector<float> horizon_row = row_horizons(horizons, y);
-  const auto width = std::size_t(derivatives.east.width());
-  ChunkGround ground{};
-  for (std::size_t x0 = 0; x0 < width; x0 += chunk) {
-    const std::size_t count = std::min<std::size_t>(chunk, width - x0);
-    load_chunk(derivatives, places, horizon_row, y, x0, count, ground);
-    for (std::size_t month = 0; month < 12; ++month) {
-      ChunkValues sum{};
-      for (const SunSample& sample : samples[month]) add_sample(sample, ground, sum);
-      const auto out = grids[month].row(y);
-      for (std::size_t i = 0; i < count; ++i) out[x0 + i] = sum[i] * ground.inverse_norm[i];
+    float* row = out.data() + s * std::size_t(columns);
+    for (int c = 0; c < columns; ++c) {
+      const auto from = std::size_t(std::min(first_column + c, last));
+      row[c] = north[from] + share * (south[from] - north[from]);
     }
   }
 }
 
 }  // namespace
+
+Sunlight::Sunlight(double latitude, int width, const Horizons& horizons)
+    : left_(std::size_t(width)), share_(std::size_t(width)) {
+  for (int month = 0; month < 12; ++month) samples_[std::size_t(month)] = day_samples(latitude, middle_day(month));
+  const int columns = horizons.sectors[0].width();
+  for (int x = 0; x < width; ++x) {
+    const double place = coarse_place(x, horizons.stride, columns);
+    const int left = std::min(int(place), std::max(columns - 2, 0));
+    left_[std::size_t(x)] = std::uint16_t(left);
+    share_[std::size_t(x)] = float(place - left);
+  }
+}
+
+void Sunlight::illuminate(const Derivatives& derivatives, const Horizons& horizons, const Rect& cells,
+                          const std::array<Grid<float>*, 12>& out) const {
+  const auto width = std::size_t(cells.width());
+  const auto x0 = std::size_t(cells.x0);
+  const int first_column = left_[x0];
+  const int columns = left_[std::size_t(cells.x1) - 1] + 2 - first_column;
+  const int rows = chunk / cells.width();
+  std::vector<float> horizon_row;
+  ChunkGround ground{};
+  for (int y0 = cells.y0; y0 < cells.y1; y0 += rows) {
+    const int y1 = std::min(y0 + rows, cells.y1);
+    for (int y = y0; y < y1; ++y) {
+      const std::size_t at = std::size_t(y - y0) * width;
+      load_slopes(derivatives, y, x0, width, at, ground);
+      horizons_of_row(horizons, y, first_column, columns, horizon_row);
+      for (std::size_t s = 0; s < sector_count; ++s) {
+        const float* row = horizon_row.data() + s * std::size_t(columns);
+        for (std::size_t i = 0; i < width; ++i) {
+          const std::size_t left = left_[x0 + i] - std::size_t(first_column);
+          ground.horizons[s][at + i] = row[left] + share_[x0 + i] * (row[left + 1] - row[left]);
+        }
+      }
+    }
+    for (std::size_t month = 0; month < 12; ++month) {
+      ChunkValues sum{};
+      for (const SunSample& sample : samples_[month]) add_sample(sample, ground, sum);
+      for (int y = y0; y < y1; ++y) {
+        const std::size_t at = std::size_t(y - y0) * width;
+        float* row = out[month]->row(y).data() + x0;
+        for (std::size_t i = 0; i < width; ++i) row[i] = sum[at + i] * ground.inverse_norm[at + i];
+      }
+    }
+  }
+}
 
 Result<std::array<Grid<float>, 12>> compute_monthly_illumination(const Terrain& terrain, const Derivatives& derivatives,
                                                                  const TaskContext& context) {
@@ -197,19 +185,21 @@ Result<std::array<Grid<float>, 12>> compute_monthly_illumination(const Terrain& 
   const int height = terrain.height.height();
   context.report("illumination", 0);
   const Horizons horizons = compute_horizons(terrain, sector_count);
-  const ColumnPlaces places = column_places(width, horizons.stride, horizons.sectors[0].width());
-  MonthSamples samples;
-  MonthGrids grids;
-  for (int month = 0; month < 12; ++month) {
-    samples[std::size_t(month)] = day_samples(terrain.latitude, middle_day(month));
-    grids[std::size_t(month)] = Grid<float>(width, height);
+  const Sunlight sunlight(terrain.latitude, width, horizons);
+  std::array<Grid<float>, 12> grids;
+  std::array<Grid<float>*, 12> out{};
+  for (std::size_t month = 0; month < 12; ++month) {
+    grids[month] = Grid<float>(width, height);
+    out[month] = &grids[month];
   }
-  constexpr int band = 128;
-  for (int y0 = 0; y0 < height; y0 += band) {
+  const int columns = (width + tile_side - 1) / tile_side;
+  for (int y = 0; y < height; y += tile_side) {
     if (context.stopped()) return fail("stopped");
-    context.report("illumination", 0.1 + 0.9 * y0 / height);
-    parallel_rows(y0, std::min(y0 + band, height),
-                  [&](int y) { illuminate_row(derivatives, horizons, places, samples, y, grids); });
+    context.report("illumination", 0.1 + 0.9 * y / height);
+    parallel_each(std::size_t(columns), [&](std::size_t column) {
+      const int x = int(column) * tile_side;
+      sunlight.illuminate(derivatives, horizons, {x, y, std::min(x + tile_side, width), std::min(y + tile_side, height)}, out);
+    });
   }
   return grids;
 }

@@ -1,18 +1,28 @@
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "core/base/parallel.hpp"
+#include "core/terrain/cell_marks.hpp"
 #include "core/terrain/neighbours.hpp"
 #include "core/terrain/water_marking.hpp"
+#include "core/terrain/water_updates.hpp"
 
 namespace biotope {
 namespace {
 
-/// Gathers the depressed cells that connect to `start` at the same water level, and marks them as seen.
-void gather_depression(const Terrain& terrain, const Grid<float>& filled, std::uint32_t start, Grid<std::uint8_t>& seen,
-                       std::vector<std::uint32_t>& cells) {
+/// A ground and what its depressions are filled to.
+struct FilledGround {
+  const Grid<float>& height;
+  const Grid<float>& filled;
+  [[nodiscard]] bool depressed(std::size_t cell) const { return filled[cell] > height[cell]; }
+};
+
+/// Gathers the depressed cells that connect to `start` at the same water level; `mark(cell)` says whether one is new.
+template <class Mark>
+void gather_depression(const FilledGround& ground, std::uint32_t start, const Mark& mark, std::vector<std::uint32_t>& cells) {
+  const Grid<float>& filled = ground.filled;
   cells.assign(1, start);
-  seen[start] = 1;
   const int width = filled.width();
   for (std::size_t next = 0; next < cells.size(); ++next) {
     const int x = int(cells[next] % std::uint32_t(width));
@@ -22,10 +32,20 @@ void gather_depression(const Terrain& terrain, const Grid<float>& filled, std::u
       const int ny = y + neighbour_dy[d];
       if (!filled.contains(nx, ny)) continue;
       const std::size_t n = filled.index(nx, ny);
-      if (seen[n] != 0 || filled[n] != filled[start] || !(filled[n] > terrain.height[n])) continue;
-      seen[n] = 1;
-      cells.push_back(std::uint32_t(n));
+      if (filled[n] == filled[start] && ground.depressed(n) && mark(n)) cells.push_back(std::uint32_t(n));
     }
+  }
+}
+
+/// Marks a depression as a lake if it is deep and large enough.
+void mark_lake(const Terrain& terrain, const HydrologyOptions& options, const std::vector<std::uint32_t>& cells, Hydrology& hydrology) {
+  const Grid<float>& filled = hydrology.filled;
+  float deepest = 0;
+  for (const std::uint32_t cell : cells) deepest = std::max(deepest, filled[cell] - terrain.height[cell]);
+  if (deepest < options.lake_depth || double(cells.size()) * terrain.cell_area() < options.lake_area) return;
+  for (const std::uint32_t cell : cells) {
+    hydrology.water[cell] = WaterKind::lake;
+    hydrology.water_depth[cell] = filled[cell] - terrain.height[cell];
   }
 }
 
@@ -42,17 +62,47 @@ void mark_standing_water(const Terrain& terrain, const Grid<std::uint8_t>& sea, 
     hydrology.water_depth[cell] = options.sea_level - terrain.height[cell];
   }
   std::vector<std::uint32_t> cells;
+  const FilledGround ground{terrain.height, filled};
+  const auto mark = [&](std::size_t cell) { return std::exchange(seen[cell], std::uint8_t(1)) == 0; };
   for (std::size_t start = 0; start < filled.size(); ++start) {
-    if (seen[start] != 0 || !(filled[start] > terrain.height[start])) continue;
-    gather_depression(terrain, filled, std::uint32_t(start), seen, cells);
-    float deepest = 0;
-    for (const std::uint32_t cell : cells) deepest = std::max(deepest, filled[cell] - terrain.height[cell]);
-    if (deepest < options.lake_depth || double(cells.size()) * terrain.cell_area() < options.lake_area) continue;
-    for (const std::uint32_t cell : cells) {
-      hydrology.water[cell] = WaterKind::lake;
-      hydrology.water_depth[cell] = filled[cell] - terrain.height[cell];
-    }
+    if (!ground.depressed(start) || !mark(start)) continue;
+    gather_depression(ground, std::uint32_t(start), mark, cells);
+    mark_lake(terrain, options, cells, hydrology);
   }
+}
+
+std::vector<std::uint32_t> update_standing_water(const WateredGround& before, const Terrain& terrain, const TileSet& changed,
+                                                 const HydrologyOptions& options, Hydrology& water) {
+  const TileSet asked = changed.grown(1);
+  std::vector<std::uint32_t> all;
+  // Each depression near the change: first those of before are dried, then those of now are marked.
+  const auto each_depression = [&](const FilledGround& ground, const auto& body) {
+    CellMarks marks(terrain.height.width(), terrain.height.height());
+    const auto mark = [&](std::size_t cell) { return marks.mark(cell); };
+    std::vector<std::uint32_t> cells;
+    for (const std::size_t tile : asked.list()) {
+      const Rect rect = asked.rect(tile);
+      for (int y = rect.y0; y < rect.y1; ++y) {
+        for (int x = rect.x0; x < rect.x1; ++x) {
+          const std::size_t cell = ground.height.index(x, y);
+          if (!ground.depressed(cell) || !mark(cell)) continue;
+          gather_depression(ground, std::uint32_t(cell), mark, cells);
+          body(cells);
+          all.insert(all.end(), cells.begin(), cells.end());
+        }
+      }
+    }
+  };
+  each_depression({before.terrain.height, before.hydrology.filled}, [&](const std::vector<std::uint32_t>& cells) {
+    for (const std::uint32_t cell : cells) {
+      if (water.water[cell] != WaterKind::lake) continue;
+      water.water[cell] = WaterKind::dry;
+      water.water_depth[cell] = 0;
+    }
+  });
+  each_depression({terrain.height, water.filled},
+                  [&](const std::vector<std::uint32_t>& cells) { mark_lake(terrain, options, cells, water); });
+  return all;
 }
 
 }  // namespace biotope

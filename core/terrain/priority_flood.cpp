@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <bit>
 #include <functional>
 #include <limits>
 #include <queue>
@@ -7,8 +6,11 @@
 #include <vector>
 
 #include "core/base/parallel.hpp"
+#include "core/terrain/depressions.hpp"
 #include "core/terrain/flow_routing.hpp"
 #include "core/terrain/neighbours.hpp"
+#include "core/terrain/ordered_bits.hpp"
+#include "core/terrain/tile_changes.hpp"
 
 namespace biotope {
 namespace {
@@ -16,17 +18,15 @@ namespace {
 constexpr int flood_tile = 256;
 constexpr float lowest = -std::numeric_limits<float>::infinity();
 
-/// Watershed numbers inside a tile; each tile's numbers begin at `outside`, which all tiles share.
+/// Watershed numbers inside a tile; `outside` is the sea and what lies beyond the map, which all tiles share.
 using Label = std::uint16_t;
 constexpr Label unlabelled = 0;
 constexpr Label outside = 1;
 
-/// The lowest place where water passes between two watersheds.
-struct Pass {
-  std::uint32_t a = 0;
-  std::uint32_t b = 0;
-  float level = 0;
-};
+using Pass = WatershedPass;
+
+/// Name of a watershed of any tile.
+std::uint32_t name_of(std::size_t tile, Label label) { return std::uint32_t(tile) << 16 | label; }
 
 /// Keeps the lowest pass of each pair.
 void keep_lowest(std::vector<Pass>& passes) {
@@ -39,21 +39,15 @@ void keep_lowest(std::vector<Pass>& passes) {
                passes.end());
 }
 
-/// An integer that orders like the float.
-std::uint32_t ordered_bits(float value) {
-  const auto bits = std::bit_cast<std::uint32_t>(value + 0.0F);
-  return (bits & 0x80000000U) != 0 ? ~bits : bits | 0x80000000U;
-}
-
 using FloodEntry = std::uint64_t;  // ordered height above, cell inside the tile below: ties go to the first cell
 using FloodHeap = std::priority_queue<FloodEntry, std::vector<FloodEntry>, std::greater<>>;
 
 /// Floods one tile from its rim as if water left there, and names each cell's watershed.
 class TileFlood {
  public:
-  TileFlood(const Grid<float>& height, const Grid<std::uint8_t>& sea, float sea_level, const Rect& tile, Grid<float>& filled,
-            Grid<Label>& labels)
-      : height_(height), sea_(sea), sea_level_(sea_level), tile_(tile), filled_(filled), labels_(labels) {}
+  TileFlood(const Grid<float>& height, const Grid<std::uint8_t>& sea, float sea_level, std::size_t number, const Rect& tile,
+            Grid<float>& filled, Grid<Label>& labels)
+      : height_(height), sea_(sea), sea_level_(sea_level), number_(number), tile_(tile), filled_(filled), labels_(labels) {}
 
   void run() {
     for (int y = tile_.y0; y < tile_.y1; ++y) {
@@ -89,6 +83,7 @@ class TileFlood {
 
   /// Cells from which water leaves the tile: its rim and the sea.
   void seed(int x, int y) {
+    labels_(x, y) = unlabelled;
     if (is_sea(x, y)) {
       filled_(x, y) = sea_level_;
       labels_(x, y) = outside;
@@ -114,7 +109,9 @@ class TileFlood {
         other = label;
         reach(nx, ny, level);
       } else if (other != label) {
-        passes_.push_back({std::min(other, label), std::max(other, label), std::max(level, filled_(nx, ny))});
+        const Label low = std::min(other, label);
+        const Label high = std::max(other, label);
+        passes_.push_back({name_of(number_, low), name_of(number_, high), std::max(level, filled_(nx, ny))});
       }
     }
   }
@@ -134,6 +131,7 @@ class TileFlood {
   const Grid<float>& height_;
   const Grid<std::uint8_t>& sea_;
   float sea_level_;
+  std::size_t number_;
   Rect tile_;
   Grid<float>& filled_;
   Grid<Label>& labels_;
@@ -144,69 +142,24 @@ class TileFlood {
   Label next_label_ = outside + 1;
 };
 
-/// How the map is cut: tile of a cell, and the number of each tile's first watershed.
-struct TileNumbers {
-  int columns = 0;
-  std::vector<std::uint32_t> first;
-  [[nodiscard]] std::uint32_t node(std::size_t tile, Label label) const {
-    return label == outside ? 0U : first[tile] + label - outside;
+/// Watersheds and passes of all tiles as a graph with one node for the outside.
+struct PassGraph {
+  /// First node of each tile, and the number of nodes.
+  std::vector<std::uint32_t> first_node;
+  std::uint32_t nodes = 1;
+  std::vector<std::uint32_t> first_edge;
+  std::vector<std::pair<std::uint32_t, float>> edges;
+
+  [[nodiscard]] std::uint32_t node(std::uint32_t name) const {
+    const auto label = Label(name & 0xffffU);
+    return label == outside ? 0U : first_node[name >> 16] + label - outside - 1;
   }
-  [[nodiscard]] std::size_t tile(int x, int y) const { return std::size_t(y / flood_tile) * std::size_t(columns) + std::size_t(x / flood_tile); }
 };
 
-/// Passes between cells of different tiles and over the map's border, which is closed at inlets.
-void add_rim_passes(const Grid<float>& filled, const Grid<Label>& labels, const Grid<std::uint8_t>& inlets, const TileNumbers& numbers,
-                    std::vector<Pass>& passes) {
-  const auto node = [&](int x, int y) { return numbers.node(numbers.tile(x, y), labels(x, y)); };
-  const auto join = [&](int x, int y, int nx, int ny) {
-    if (!filled.contains(nx, ny)) return;
-    const std::uint32_t a = node(x, y);
-    const std::uint32_t b = node(nx, ny);
-    if (a != b) passes.push_back({std::min(a, b), std::max(a, b), std::max(filled(x, y), filled(nx, ny))});
-  };
-  const int width = filled.width();
-  const int height = filled.height();
-  for (int y = flood_tile - 1; y + 1 < height; y += flood_tile) {
-    for (int x = 0; x < width; ++x) {
-      for (int dx = -1; dx <= 1; ++dx) join(x, y, x + dx, y + 1);
-    }
-  }
-  for (int x = flood_tile - 1; x + 1 < width; x += flood_tile) {
-    for (int y = 0; y < height; ++y) {
-      for (int dy = -1; dy <= 1; ++dy) join(x, y, x + 1, y + dy);
-    }
-  }
-  const auto leave = [&](int x, int y) {
-    const std::uint32_t a = node(x, y);
-    if (a != 0 && (inlets.empty() || inlets(x, y) == 0)) passes.push_back({0, a, filled(x, y)});
-  };
-  for (int x = 0; x < width; ++x) {
-    leave(x, 0);
-    leave(x, height - 1);
-  }
-  for (int y = 0; y < height; ++y) {
-    leave(0, y);
-    leave(width - 1, y);
-  }
-}
-
 /// Level to which water stands in each watershed before it finds a way out: a priority-flood over the graph of watersheds.
-std::vector<float> spill_levels(std::size_t nodes, const std::vector<Pass>& passes) {
-  std::vector<std::uint32_t> first(nodes + 1, 0);
-  for (const Pass& pass : passes) {
-    ++first[pass.a];
-    ++first[pass.b];
-  }
-  std::uint32_t sum = 0;
-  for (auto& begin : first) sum += std::exchange(begin, sum);
-  std::vector<std::uint32_t> place(first.begin(), first.end() - 1);
-  std::vector<std::pair<std::uint32_t, float>> edges(sum);
-  for (const Pass& pass : passes) {
-    edges[place[pass.a]++] = {pass.b, pass.level};
-    edges[place[pass.b]++] = {pass.a, pass.level};
-  }
-  std::vector<float> level(nodes, std::numeric_limits<float>::infinity());
-  std::priority_queue<FloodEntry, std::vector<FloodEntry>, std::greater<>> heap;
+std::vector<float> spill_levels(const PassGraph& graph) {
+  std::vector<float> level(graph.nodes, std::numeric_limits<float>::infinity());
+  FloodHeap heap;
   level[0] = lowest;
   heap.push(FloodEntry(ordered_bits(lowest)) << 32);
   while (!heap.empty()) {
@@ -214,11 +167,12 @@ std::vector<float> spill_levels(std::size_t nodes, const std::vector<Pass>& pass
     heap.pop();
     const auto node = std::uint32_t(entry & 0xffffffffU);
     if (std::uint32_t(entry >> 32) != ordered_bits(level[node])) continue;
-    for (std::uint32_t e = first[node]; e < first[node + 1]; ++e) {
-      const float next = std::max(level[node], edges[e].second);
-      if (next >= level[edges[e].first]) continue;
-      level[edges[e].first] = next;
-      heap.push(FloodEntry(ordered_bits(next)) << 32 | edges[e].first);
+    for (std::uint32_t e = graph.first_edge[node]; e < graph.first_edge[node + 1]; ++e) {
+      const auto& [other, pass] = graph.edges[e];
+      const float next = std::max(level[node], pass);
+      if (next >= level[other]) continue;
+      level[other] = next;
+      heap.push(FloodEntry(ordered_bits(next)) << 32 | other);
     }
   }
   return level;
@@ -226,50 +180,154 @@ std::vector<float> spill_levels(std::size_t nodes, const std::vector<Pass>& pass
 
 }  // namespace
 
-Grid<float> fill_depressions(const Grid<float>& height, const Grid<std::uint8_t>& sea, float sea_level, const Grid<std::uint8_t>& inlets) {
+Rect DepressionField::rect(std::size_t tile) const {
+  const int x0 = int(tile % std::size_t(columns_)) * flood_tile;
+  const int y0 = int(tile / std::size_t(columns_)) * flood_tile;
+  return intersection({x0, y0, x0 + flood_tile, y0 + flood_tile}, within_.rect());
+}
+
+void DepressionField::flood(std::size_t tile, const Grid<float>& height, const Grid<std::uint8_t>& sea, float sea_level) {
+  TileFlood flood(height, sea, sea_level, tile, rect(tile), within_, labels_);
+  flood.run();
+  tiles_[tile].inside = std::move(flood.passes());
+  tiles_[tile].watersheds = std::uint32_t(flood.label_count()) - outside - 1;
+}
+
+/// Passes between cells of different tiles and over the map's border, which is closed at inlets.
+void DepressionField::join(std::size_t tile, const Grid<std::uint8_t>& inlets) {
+  std::vector<Pass>& passes = tiles_[tile].beside;
+  passes.clear();
+  const auto name = [&](int x, int y) {
+    const std::size_t at = std::size_t(y / flood_tile) * std::size_t(columns_) + std::size_t(x / flood_tile);
+    const Label label = labels_(x, y);
+    return label == outside ? std::uint32_t(outside) : name_of(at, label);
+  };
+  const auto pass = [&](int x, int y, int nx, int ny) {
+    if (!within_.contains(nx, ny)) return;
+    const std::uint32_t a = name(x, y);
+    const std::uint32_t b = name(nx, ny);
+    if (a != b) passes.push_back({std::min(a, b), std::max(a, b), std::max(within_(x, y), within_(nx, ny))});
+  };
+  const auto leave = [&](int x, int y) {
+    if (labels_(x, y) == outside || (!inlets.empty() && inlets(x, y) != 0)) return;
+    passes.push_back({outside, name(x, y), within_(x, y)});
+  };
+  const Rect cells = rect(tile);
+  for (int x = cells.x0; x < cells.x1; ++x) {
+    for (int dx = -1; dx <= 1; ++dx) pass(x, cells.y1 - 1, x + dx, cells.y1);
+    if (cells.y0 == 0) leave(x, 0);
+    if (cells.y1 == within_.height()) leave(x, cells.y1 - 1);
+  }
+  for (int y = cells.y0; y < cells.y1; ++y) {
+    for (int dy = -1; dy <= 1; ++dy) pass(cells.x1 - 1, y, cells.x1, y + dy);
+    if (cells.x0 == 0) leave(0, y);
+    if (cells.x1 == within_.width()) leave(cells.x1 - 1, y);
+  }
+  keep_lowest(passes);
+}
+
+std::vector<char> DepressionField::spill() {
+  PassGraph graph;
+  for (const Tile& tile : tiles_) {
+    graph.first_node.push_back(graph.nodes);
+    graph.nodes += tile.watersheds;
+  }
+  graph.first_edge.assign(std::size_t(graph.nodes) + 1, 0);
+  const auto each_pass = [&](const auto& body) {
+    for (const Tile& tile : tiles_) {
+      for (const Pass& pass : tile.inside) body(graph.node(pass.a), graph.node(pass.b), pass.level);
+      for (const Pass& pass : tile.beside) body(graph.node(pass.a), graph.node(pass.b), pass.level);
+    }
+  };
+  each_pass([&](std::uint32_t a, std::uint32_t b, float) {
+    ++graph.first_edge[a];
+    ++graph.first_edge[b];
+  });
+  std::uint32_t sum = 0;
+  for (auto& begin : graph.first_edge) sum += std::exchange(begin, sum);
+  std::vector<std::uint32_t> place(graph.first_edge.begin(), graph.first_edge.end() - 1);
+  graph.edges.resize(sum);
+  each_pass([&](std::uint32_t a, std::uint32_t b, float level) {
+    graph.edges[place[a]++] = {b, level};
+    graph.edges[place[b]++] = {a, level};
+  });
+  const std::vector<float> levels = spill_levels(graph);
+  std::vector<char> another(tiles_.size(), 0);
+  for (std::size_t t = 0; t < tiles_.size(); ++t) {
+    const auto first = levels.begin() + std::ptrdiff_t(graph.first_node[t]);
+    std::vector<float> of_tile(first, first + std::ptrdiff_t(tiles_[t].watersheds));
+    another[t] = of_tile != tiles_[t].levels ? 1 : 0;
+    tiles_[t].levels = std::move(of_tile);
+  }
+  return another;
+}
+
+bool DepressionField::raise(const Rect& cells, Grid<float>& filled) const {
+  const std::size_t tile = std::size_t(cells.y0 / flood_tile) * std::size_t(columns_) + std::size_t(cells.x0 / flood_tile);
+  const std::vector<float>& levels = tiles_[tile].levels;
+  bool another = false;
+  for (int y = cells.y0; y < cells.y1; ++y) {
+    for (int x = cells.x0; x < cells.x1; ++x) {
+      const Label label = labels_(x, y);
+      const float level = label == outside ? lowest : levels[std::size_t(label) - outside - 1];
+      const float height = std::max(within_(x, y), level);
+      another = another || filled(x, y) != height;
+      filled(x, y) = height;
+    }
+  }
+  return another;
+}
+
+Grid<float> DepressionField::restart(const Grid<float>& height, const Grid<std::uint8_t>& sea, float sea_level,
+                                     const Grid<std::uint8_t>& inlets) {
   const int width = height.width();
   const int rows = height.height();
+  within_ = Grid<float>(width, rows);
+  labels_ = Grid<Label>(width, rows);
+  columns_ = (width + flood_tile - 1) / flood_tile;
+  tiles_.assign(std::size_t(columns_) * std::size_t((rows + flood_tile - 1) / flood_tile), {});
+  parallel_each(tiles_.size(), [&](std::size_t t) { flood(t, height, sea, sea_level); });
+  parallel_each(tiles_.size(), [&](std::size_t t) { join(t, inlets); });
+  (void)spill();
   Grid<float> filled(width, rows);
-  Grid<Label> labels(width, rows, unlabelled);
-  TileNumbers numbers;
-  numbers.columns = (width + flood_tile - 1) / flood_tile;
-  const auto tiles = std::size_t(numbers.columns) * std::size_t((rows + flood_tile - 1) / flood_tile);
-  std::vector<std::vector<Pass>> tile_passes(tiles);
-  std::vector<Label> counts(tiles);
-  const auto tile_rect = [&](std::size_t t) {
-    const int x0 = int(t % std::size_t(numbers.columns)) * flood_tile;
-    const int y0 = int(t / std::size_t(numbers.columns)) * flood_tile;
-    return intersection({x0, y0, x0 + flood_tile, y0 + flood_tile}, height.rect());
-  };
-  parallel_each(tiles, [&](std::size_t t) {
-    TileFlood flood(height, sea, sea_level, tile_rect(t), filled, labels);
-    flood.run();
-    tile_passes[t] = std::move(flood.passes());
-    counts[t] = flood.label_count();
-  });
-  std::uint32_t nodes = 0;
-  for (const Label count : counts) {
-    numbers.first.push_back(nodes);
-    nodes += std::uint32_t(count) - outside - 1;
-  }
-  std::vector<Pass> passes;
-  for (std::size_t t = 0; t < tiles; ++t) {
-    for (const Pass& pass : tile_passes[t]) {
-      passes.push_back({numbers.node(t, Label(pass.a)), numbers.node(t, Label(pass.b)), pass.level});
-    }
-  }
-  add_rim_passes(filled, labels, inlets, numbers, passes);
-  keep_lowest(passes);
-  const std::vector<float> levels = spill_levels(std::size_t(nodes) + 1, passes);
-  parallel_each(tiles, [&](std::size_t t) {
-    const Rect tile = tile_rect(t);
-    for (int y = tile.y0; y < tile.y1; ++y) {
-      for (int x = tile.x0; x < tile.x1; ++x) {
-        filled(x, y) = std::max(filled(x, y), levels[numbers.node(t, labels(x, y))]);
+  parallel_each(tiles_.size(), [&](std::size_t t) { (void)raise(rect(t), filled); });
+  return filled;
+}
+
+TileSet DepressionField::update(const Grid<float>& height, const Grid<std::uint8_t>& inlets, const TileSet& changed,
+                                Grid<float>& filled) {
+  static_assert(flood_tile % tile_side == 0);
+  std::vector<char> dirty(tiles_.size(), 0);
+  std::vector<char> beside(tiles_.size(), 0);
+  const int rows = int(tiles_.size()) / columns_;
+  for (const std::size_t small : changed.list()) {
+    const Rect cells = changed.rect(small);
+    const int column = cells.x0 / flood_tile;
+    const int row = cells.y0 / flood_tile;
+    dirty[std::size_t(row) * std::size_t(columns_) + std::size_t(column)] = 1;
+    for (int y = std::max(row - 1, 0); y <= std::min(row + 1, rows - 1); ++y) {
+      for (int x = std::max(column - 1, 0); x <= std::min(column + 1, columns_ - 1); ++x) {
+        beside[std::size_t(y) * std::size_t(columns_) + std::size_t(x)] = 1;
       }
     }
+  }
+  const Grid<std::uint8_t> no_sea;
+  parallel_each(tiles_.size(), [&](std::size_t t) {
+    if (dirty[t] != 0) flood(t, height, no_sea, 0);
   });
-  return filled;
+  parallel_each(tiles_.size(), [&](std::size_t t) {
+    if (beside[t] != 0) join(t, inlets);
+  });
+  const std::vector<char> another = spill();
+  TileSet asked(filled.width(), filled.height());
+  for (std::size_t t = 0; t < tiles_.size(); ++t) {
+    if (dirty[t] != 0 || another[t] != 0) asked.insert(rect(t));
+  }
+  return changed_tiles(asked, [&](const Rect& cells) { return raise(cells, filled); });
+}
+
+Grid<float> fill_depressions(const Grid<float>& height, const Grid<std::uint8_t>& sea, float sea_level, const Grid<std::uint8_t>& inlets) {
+  return DepressionField().restart(height, sea, sea_level, inlets);
 }
 
 }  // namespace biotope

@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "core/terrain/neighbours.hpp"
+#include "core/terrain/tile_changes.hpp"
 #include "core/terrain/water_marking.hpp"
+#include "core/terrain/water_updates.hpp"
 
 namespace biotope {
 namespace {
@@ -87,6 +89,36 @@ void mark_rivers(const Terrain& terrain, Hydrology& hydrology) {
       flood_width(terrain, reach.cells[i], width, river_depth(discharge) * riffle, hydrology);
     }
   }
+}
+
+TileSet clear_rivers(Hydrology& water) {
+  return changed_tiles(TileSet::all(water.water.width(), water.water.height()), [&](const Rect& rect) {
+    bool any = false;
+    for (int y = rect.y0; y < rect.y1; ++y) {
+      const auto row = water.water.row(y).subspan(std::size_t(rect.x0), std::size_t(rect.width()));
+      if (std::find(row.begin(), row.end(), WaterKind::river) == row.end()) continue;
+      any = true;
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        if (row[i] != WaterKind::river) continue;
+        row[i] = WaterKind::dry;
+        water.water_depth(rect.x0 + int(i), y) = 0;
+      }
+    }
+    return any;
+  });
+}
+
+TileSet tiles_of_rivers(const Terrain& terrain, const Hydrology& water) {
+  TileSet tiles(water.water.width(), water.water.height());
+  for (const RiverReach& reach : water.reaches) {
+    for (const std::uint32_t cell : reach.cells) {
+      const int radius = int(river_width(water.discharge[cell]) / 2 / float(terrain.cell_size)) + 1;
+      const int x = int(cell % std::uint32_t(tiles.width()));
+      const int y = int(cell / std::uint32_t(tiles.width()));
+      tiles.insert(grown({x, y, x + 1, y + 1}, radius));
+    }
+  }
+  return tiles;
 }
 
 }  // namespace biotope

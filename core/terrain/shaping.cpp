@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/parallel.hpp"
+#include "core/terrain/ground_tiles.hpp"
 #include "core/terrain/shaping_parts.hpp"
 
 namespace biotope {
@@ -11,24 +12,26 @@ namespace {
 
 constexpr double seconds_per_year = 365.25 * 86400;
 
-void lay_paint(const PaintLayer& paint, Grid<float>& height) {
+void lay_paint(const PaintLayer& paint, const Grid<float>& below, Grid<float>& height) {
   parallel_each(paint.tile_count(), [&](std::size_t tile) {
-    if (!paint.tile(tile) && paint.background().coverage <= 0) return;
-    const Rect cells = paint.tile_rect(tile);
-    for (int y = cells.y0; y < cells.y1; ++y) {
-      for (int x = cells.x0; x < cells.x1; ++x) {
-        const Paint stroke = paint(x, y);
-        if (stroke.coverage > 0) height(x, y) = painted(height(x, y), stroke);
-      }
-    }
+    if (paint.tile(tile) || paint.background().coverage > 0) paint_heights(below, &paint, paint.tile_rect(tile), height);
   });
 }
 
 }  // namespace
 
+void paint_heights(const Grid<float>& height, const PaintLayer* paint, const Rect& cells, Grid<float>& out) {
+  for (int y = cells.y0; y < cells.y1; ++y) {
+    for (int x = cells.x0; x < cells.x1; ++x) {
+      const Paint stroke = paint != nullptr ? (*paint)(x, y) : Paint{};
+      out(x, y) = stroke.coverage > 0 ? painted(height(x, y), stroke) : height(x, y);
+    }
+  }
+}
+
 Terrain shaped_terrain(const Terrain& terrain, const PaintLayer* heights, const DrawnWater& water) {
   Terrain land = terrain;
-  if (heights != nullptr) lay_paint(*heights, land.height);
+  if (heights != nullptr) lay_paint(*heights, terrain.height, land.height);
   const std::vector<LakeBasin> lakes = dig_lakes(land, water.lakes);
   carve_rivers(land, water.rivers, lakes);
   return land;

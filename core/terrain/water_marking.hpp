@@ -15,8 +15,8 @@ inline constexpr float narrowest_channel = 0.35F;
 /// Marks the sea and the depressions that are deep and large enough to be lakes, with their depths.
 void mark_standing_water(const Terrain& terrain, const Grid<std::uint8_t>& sea, const HydrologyOptions& options, Hydrology& hydrology);
 
-/// Sets the mean yearly discharge (m3/s) of every cell where a channel runs, none in lakes or the sea.
-void mark_discharge(const Terrain& terrain, const HydrologyOptions& options, Hydrology& hydrology);
+/// Sets the mean yearly discharge (m3/s) of every cell where a channel runs, none in lakes or the sea. Returns upstream_cells.
+Grid<std::uint32_t> mark_discharge(const Terrain& terrain, const HydrologyOptions& options, Hydrology& hydrology);
 
 /// Cuts the channels into reaches at junctions, lakes and the border.
 void trace_reaches(Hydrology& hydrology);

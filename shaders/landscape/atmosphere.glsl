@@ -3,14 +3,16 @@
 // Sky without clouds or sun disc in a direction (unit vector, z up).
 vec3 sky_colour(vec3 direction) {
   float height = max(direction.z, 0.0);
-  float low = exp(-height * 5.5);
-  vec3 colour = mix(frame.zenith.rgb * 1.15, frame.horizon.rgb * 1.3, low);
-  // A whitish veil right at the horizon, and the warm glow on the sun's side when it is low.
-  float toward = max(dot(direction, frame.sun_direction.xyz), 0.0);
-  float sun_low = 1.0 - smoothstep(0.05, 0.5, abs(frame.sun_direction.z));
-  colour += frame.light_colour.rgb * (1.0 - frame.light_direction.w) *
-            (0.045 * pow(toward, 6.0) + 0.10 * sun_low * pow(toward, 3.0) * low + 0.10 * pow(toward, 60.0));
-  return colour;
+  float low = exp2(-height * 7.0);
+  vec3 colour = mix(frame.zenith.rgb, frame.horizon.rgb, low * (1.0 - 0.2 * height));
+  // The air around the sun glows, more along the horizon when it is low.
+  float toward = 0.5 + 0.5 * dot(direction, frame.sun_direction.xyz);
+  float toward2 = toward * toward;
+  float toward8 = toward2 * toward2 * toward2 * toward2;
+  float toward64 = toward8 * toward8;
+  toward64 *= toward64;
+  toward64 *= toward64;
+  return colour + frame.glow.rgb * (0.10 * toward2 + low * low * (0.55 * toward8 + 0.40 * toward2 * toward2) + 0.28 * toward64);
 }
 
 // Share of light lost to haze between the eye and a point (relative to the eye), denser in the lowlands.
@@ -23,18 +25,22 @@ float haze(vec3 offset) {
   return 1.0 - exp(-frame.fog.x * distance_to * min(mean_density, 1.6));
 }
 
-vec3 apply_haze(vec3 colour, vec3 offset, float amount) {
+// Colour of the haze in a direction (need not be a unit vector).
+vec3 haze_colour(vec3 offset) {
   vec3 direction = normalize(offset);
-  vec3 veil = sky_colour(normalize(vec3(direction.xy, 0.02 + 0.25 * max(direction.z, 0.0))));
-  return mix(colour, veil, amount);
+  return sky_colour(normalize(vec3(direction.xy, 0.03 + 0.25 * max(direction.z, 0.0))));
 }
 
-// Linear light to screen: a gentle shoulder (Reinhard on luminance, extended), slightly desaturated, sRGB gamma.
+vec3 apply_haze(vec3 colour, vec3 offset, float amount) { return mix(colour, haze_colour(offset), amount); }
+
+// Linear light to screen. The curve is Hejl and Burgess-Dawson's filmic one (2010), gamma included: dark tones keep their contrast
+// and lights roll off softly.
 vec3 to_screen(vec3 light) {
-  light *= mix(0.82, 1.9, frame.light_direction.w);
+  light *= frame.fall.w;
   float luminance = dot(light, vec3(0.2126, 0.7152, 0.0722));
-  float mapped = luminance * (1.0 + luminance / 6.0) / (1.0 + luminance);
-  vec3 colour = light * (mapped / max(luminance, 1e-4));
-  colour = mix(vec3(mapped), colour, mix(0.94, 0.75, frame.light_direction.w));
-  return pow(clamp(colour * 1.12, 0.0, 1.0), vec3(1.0 / 2.2));
+  // At night the eye sees less colour, and what there is bluish.
+  vec3 tint = mix(vec3(1.0), vec3(0.80, 0.98, 1.25), frame.light_direction.w);
+  light = max(mix(luminance * tint, light, mix(1.07, 0.58, frame.light_direction.w)), 0.0);
+  vec3 x = max(light * 0.92 - 0.003, 0.0);
+  return (x * (6.2 * x + 0.5)) / (x * (6.2 * x + 1.7) + 0.06);
 }

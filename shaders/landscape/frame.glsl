@@ -18,4 +18,9 @@ layout(std140, binding = 0) uniform Frame {
   vec4 weather;
   vec4 wind;
   vec4 snow;
+  vec4 fall;
+  vec4 moon;
+  vec4 stars;
+  vec4 glow;
+  vec4 clouds;
 } frame;

@@ -1,11 +1,15 @@
 #version 450 core
 #include "landscape/frame.glsl"
 #include "landscape/atmosphere.glsl"
+#include "landscape/clouds.glsl"
 #include "landscape/ground.glsl"
+#include "landscape/plant_kinds.glsl"
 #include "landscape/plant_light.glsl"
+#include "landscape/plant_lod.glsl"
+#include "landscape/snow.glsl"
+#include "landscape/plant_snow.glsl"
 layout(location = 4) in vec4 stands;
 layout(location = 5) in vec4 own;
-layout(std140, binding = 1) uniform Extents { vec4 extent[256]; };  // radius, height by plant
 layout(binding = 6) uniform sampler2D sunlit;
 const float elevations[3] = float[](0.17453, 0.78540, 1.30900);
 out vec3 picture;
@@ -13,16 +17,25 @@ flat out vec3 sun;        // light direction in the picture's frame
 flat out vec2 skyward;    // up and toward components of the zenith
 flat out vec4 tone;       // w: sunlit
 flat out float back;      // how much one looks toward the light
+flat out vec2 shown;
+flat out float bare;      // share of leaves fallen
+flat out float snow;      // on what looks up
 out vec4 veil;
 
 void main() {
   int plant = int(own.w + 0.5);
-  float radius = extent[plant].x * stands.w;
-  float height = extent[plant].y * stands.w;
+  float radius = kinds.form[plant].x * stands.w;
+  float height = kinds.form[plant].y * stands.w;
   vec3 foot = stands.xyz - frame.eye.xyz;
+  shown = vec2(mesh_share(seen_pixels(foot, height, own.z)), far_share(length(foot), own.z));
+  if (radius <= 0.0 || shown.x >= shown.y) {
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+    return;
+  }
   vec3 centre = foot + vec3(0.0, 0.0, 0.5 * height);
   vec3 away = normalize(centre);
-  float elevation = asin(clamp(-away.z, -1.0, 1.0));
+  // Not all plants change to the next view at once.
+  float elevation = asin(clamp(-away.z, -1.0, 1.0)) + (own.z - 0.5) * 0.3;
   int view = elevation < 0.45 ? 0 : elevation < 1.03 ? 1 : 2;
   vec3 right = normalize(vec3(away.y, -away.x, 0.0) + vec3(1e-5, 0.0, 0.0));
   vec3 up = cross(right, away);
@@ -30,12 +43,18 @@ void main() {
   float half_height = 0.5 * height * cos(elevations[view]) + radius * sin(elevations[view]);
   vec3 offset = centre + right * corner.x * radius + up * corner.y * half_height;
   float mirrored = own.x > 3.14159 ? -1.0 : 1.0;
-  picture = vec3(vec2(corner.x * mirrored, corner.y) * 0.5 + 0.5, float(plant * 3 + view));
+  picture = vec3(vec2(corner.x * mirrored, corner.y) * 0.5 + 0.5, float((plant * 2 + own_model(own.y)) * 3 + view));
   vec3 to_light = frame.light_direction.xyz;
   sun = vec3(dot(to_light, right) * mirrored, dot(to_light, up), -dot(to_light, away));
   skyward = vec2(up.z, -away.z);
   back = max(dot(away, to_light), 0.0);
-  tone = vec4(own_tone(own.y), textureLod(sunlit, ground_uv(stands.xy), 0.0).r);
-  veil = vec4(apply_haze(vec3(0.0), centre, 1.0), haze(centre));
+  // The picture has the mean colour of its kind.
+  vec3 mean = mix(kinds.fresh[plant].rgb, kinds.turned[plant].rgb, kinds.turned[plant].w);
+  vec3 ratio = own_leaf(plant, own.y) / max(mean, vec3(0.01));
+  float sunny = textureLod(sunlit, ground_uv(stands.xy), 0.0).r * cloud_light(stands.xy, stands.z);
+  tone = vec4(own_tone(own.y) * ratio, sunny);
+  bare = step(0.5, kinds.fresh[plant].w);
+  snow = crown_snow(stands.z, vec3(0.0, 0.0, 1.0), plant, own.y);
+  veil = vec4(haze_colour(centre), haze(centre));
   gl_Position = frame.view_projection * vec4(offset, 1.0);
 }

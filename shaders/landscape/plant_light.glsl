@@ -2,7 +2,7 @@
 
 // This plant's own tone: some fresher, some browner. `tint` 0..1.
 vec3 own_tone(float tint) {
-  float value = 0.82 + 0.36 * fract(tint * 7.31);
+  float value = 0.84 + 0.32 * fract(tint * 7.31);
   return value * mix(vec3(0.94, 1.02, 1.0), vec3(1.10, 1.0, 0.84), tint);
 }
 
@@ -11,7 +11,9 @@ vec3 foliage_light(vec3 normal, vec3 view, float open, float sun) {
   float facing = dot(normal, frame.light_direction.xyz);
   float direct = max((facing + 0.22) / 1.22, 0.0) * open;
   // Light through leaves, seen toward the sun.
-  float through = 0.22 * max(dot(view, frame.light_direction.xyz), 0.0) * max(0.4 - facing, 0.0) * open;
-  vec3 ambient = mix(frame.ambient_ground.rgb, frame.ambient_sky.rgb, 0.5 + 0.5 * normal.z) * (0.22 + 0.78 * open);
+  float through = 0.34 * max(dot(view, frame.light_direction.xyz), 0.0) * max(0.45 - facing, 0.0) * open;
+  // Sky light comes through from above, most where one looks up through the leaves.
+  vec3 ambient = mix(frame.ambient_ground.rgb, frame.ambient_sky.rgb, 0.5 + 0.5 * normal.z) * (0.42 + 0.58 * open) +
+                 frame.ambient_sky.rgb * vec3(0.22, 0.26, 0.12) * max(view.z, 0.0);
   return frame.light_colour.rgb * sun * (direct + through * vec3(1.1, 1.0, 0.5)) + ambient;
 }

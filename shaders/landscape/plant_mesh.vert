@@ -1,8 +1,14 @@
 #version 450 core
 #include "landscape/frame.glsl"
 #include "landscape/atmosphere.glsl"
+#include "landscape/clouds.glsl"
 #include "landscape/ground.glsl"
+#include "landscape/plant_kinds.glsl"
 #include "landscape/plant_light.glsl"
+#include "landscape/plant_lod.glsl"
+#include "landscape/plant_wind.glsl"
+#include "landscape/snow.glsl"
+#include "landscape/plant_snow.glsl"
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 card_uv;
@@ -11,38 +17,50 @@ layout(location = 4) in vec4 stands;    // foot, scale
 layout(location = 5) in vec4 own;       // turn, tint, rank, plant
 layout(binding = 6) uniform sampler2D sunlit;
 layout(binding = 7) uniform sampler2D canopy_shade;
-uniform float under_crowns;  // 1 for what grows in the shade of others
-uniform float bare;
-uniform float bloom;
+uniform vec3 wood_colour;
+uniform vec3 high_wood_colour;
+uniform float nearness;  // 1: near meshes, 0: those farther away
 out vec3 card;
 out vec3 light;
-out vec3 tone;
+out vec3 leaf_tone;
+out vec3 wood_tone;
 out vec4 veil;
+flat out vec2 shown;  // of the dither's thresholds
 
 void main() {
+  int plant = int(own.w + 0.5);
+  float height = kinds.form[plant].y * stands.w;
+  vec3 foot = stands.xyz - frame.eye.xyz;
+  float pixels = seen_pixels(foot, height, own.z);
+  shown = nearness > 0.5 ? vec2(0.0, near_share(pixels)) : vec2(near_share(pixels), mesh_share(pixels));
+
   float c = cos(own.x);
   float s = sin(own.x);
   mat2 turned = mat2(c, s, -s, c);
   vec3 at = position * stands.w;
-  vec3 offset = stands.xyz - frame.eye.xyz + vec3(turned * at.xy, at.z);
+  at.xy = turned * at.xy;
+  at += sway(at, height, stands.xy, material.w, fract(material.z), own.y);
+  vec3 offset = foot + at;
   vec3 upward = vec3(turned * normal.xy, normal.z);
-  vec3 view = normalize(offset);
-  float sun = textureLod(sunlit, ground_uv(stands.xy), 0.0).r;
-  if (under_crowns > 0.5 && frame.shade_area.w > 0.0) {
-    vec2 shaded = (stands.xy - frame.shade_area.xy) / frame.shade_area.z;
-    sun *= 1.0 - frame.shade_area.w * textureLod(canopy_shade, shaded, 0.0).r;
-    // Lit as the ground is, so that tufts do not stand out of it.
-    upward = normalize(mix(upward, vec3(0.0, 0.0, 1.0), 0.85));
-    sun *= max(frame.light_direction.z, 0.0) / max((frame.light_direction.z + 0.22) / 1.22, 0.02);
-  }
-  light = foliage_light(upward, view, material.y, sun);
-  tone = material.w > 0.5 ? own_tone(own.y) : vec3(0.8 + 0.4 * own.y);
+  bool bare = material.z < own_bare(plant, own.y);
+  float open = bare ? mix(material.y, 1.0, 0.6) : material.y;
+  // Among other crowns little sun comes down to the lower parts.
+  vec2 shaded = (stands.xy - frame.shade_area.xy) / frame.shade_area.z;
+  float shade = frame.shade_area.w > 0.0 ? textureLod(canopy_shade, shaded, 0.0).r : 0.0;
+  float up = clamp(position.z / kinds.form[plant].y, 0.0, 1.0);
+  float sun = textureLod(sunlit, ground_uv(stands.xy), 0.0).r * cloud_light(stands.xy, stands.z) * (1.0 - 0.6 * shade * (1.0 - smoothstep(0.15, 0.75, up)));
+  light = foliage_light(upward, normalize(offset), open, sun);
+  // Every card a little lighter or darker than its neighbours.
+  float card_tone = 0.84 + 0.32 * fract(material.z * 7.77);
+  leaf_tone = own_leaf(plant, own.y) * own_tone(own.y) * card_tone;
+  wood_tone = mix(wood_colour, high_wood_colour, smoothstep(0.3, 0.65, up)) * (0.8 + 0.4 * own.y);
+  float snow = crown_snow(stands.z, upward, plant, own.y) * smoothstep(0.2, 0.6, open);
+  leaf_tone = mix(leaf_tone, snow_albedo, snow);
+  wood_tone = mix(wood_tone, snow_albedo, 0.5 * snow);
+  // Where leaves have fallen, twigs are left (picture 8): dark whatever the bark.
   card = vec3(card_uv, material.x);
-  float amount = haze(offset);
-  veil = vec4(apply_haze(vec3(0.0), offset, 1.0), amount);
-  gl_Position = frame.view_projection * vec4(offset, 1.0);
-  // Where leaves have fallen, twigs are left (picture 8).
-  if (material.z < bare) card.z = 8.0;
-  // Flowers (picture 7) that are not out are not drawn.
-  if (material.x > 6.5 && fract(own.y * 13.7) >= bloom) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+  if (bare) card.z = 8.0;
+  if (material.w > 0.5) wood_tone = min(wood_tone, vec3(0.070, 0.061, 0.055));
+  veil = vec4(haze_colour(offset), haze(offset));
+  gl_Position = shown.x < shown.y ? frame.view_projection * vec4(offset, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
 }

@@ -1,16 +1,17 @@
 #version 450 core
 #include "landscape/frame.glsl"
+#include "landscape/plant_kinds.glsl"
 layout(location = 4) in vec4 stands;
 layout(location = 5) in vec4 own;
-layout(std140, binding = 1) uniform Extents { vec4 extent[256]; };  // radius, height, foot of the crown / height, density
+
 uniform vec4 area;  // west, south, side
 out vec2 within;
 flat out float density;
 
 void main() {
   int plant = int(own.w + 0.5);
-  vec4 form = extent[plant];
-  float radius = 0.92 * form.x * stands.w;
+  vec4 form = kinds.form[plant];
+  float radius = 0.78 * form.x * stands.w;
   float height = form.y * stands.w;
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
   // A crown's shadow is an ellipse, drawn out away from the light; its middle lies where the crown's centre falls.

@@ -1,6 +1,7 @@
 #version 450 core
 #include "landscape/frame.glsl"
 #include "landscape/atmosphere.glsl"
+#include "landscape/clouds.glsl"
 #include "landscape/ground.glsl"
 layout(location = 0) in vec2 corner;   // 0..1 over the patch
 layout(location = 1) in vec4 patch_of; // west, south, side, morph end
@@ -8,8 +9,9 @@ uniform float patch_cells;
 out vec3 offset;
 out vec2 place;
 out vec4 veil;
+out float clear_sky;
 
-float height_at(vec2 p) { return textureLod(heights, ground_uv(p), 0.0).r; }
+float height_at(vec2 p) { return textureLod(heights, ground_uv(ground_source(p)), 0.0).r; }
 
 void main() {
   vec2 at = patch_of.xy + corner * patch_of.z;
@@ -18,7 +20,9 @@ void main() {
   float morph = clamp((to_eye / patch_of.w - 0.7) / 0.28, 0.0, 1.0);
   vec2 odd = fract(corner * patch_cells * 0.5) * 2.0 / patch_cells;
   place = patch_of.xy + (corner - odd * morph) * patch_of.z;
-  offset = vec3(place, height_at(place)) - frame.eye.xyz;
-  veil = vec4(apply_haze(vec3(0.0), offset, 1.0), haze(offset));
+  float height = height_at(place);
+  offset = vec3(place, height) - frame.eye.xyz;
+  veil = vec4(haze_colour(offset), haze(offset));
+  clear_sky = cloud_light(place, height);
   gl_Position = frame.view_projection * vec4(offset, 1.0);
 }

@@ -1,7 +1,12 @@
 #version 450 core
 #include "landscape/frame.glsl"
 #include "landscape/atmosphere.glsl"
+#include "landscape/clouds.glsl"
 #include "landscape/ground.glsl"
+#include "landscape/snow.glsl"
 const bool with_water = false;
 const bool with_canopy = false;
+const bool with_detail = true;
+#include "landscape/water.glsl"
+#include "landscape/plant_canopy.glsl"
 #include "landscape/terrain_surface.glsl"

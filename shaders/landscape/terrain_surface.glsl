@@ -1,8 +1,8 @@
-// The ground's colour. A file that includes this says first whether water may be near (`with_water`) and whether crowns are painted on the
-// ground (`with_canopy`): software renderers run both sides of every branch, so what a patch cannot need must be compiled out.
+// The ground's colour. A file that includes this says first whether water may be near (`with_water`), whether crowns are painted on
+// the ground (`with_canopy`) and whether there is time for small things (`with_detail`): software renderers run both sides of every
+// branch, so what a patch cannot need must be compiled out.
 layout(binding = 1) uniform sampler2D normals;
 layout(binding = 2) uniform sampler2D ground_colours;
-layout(binding = 3) uniform sampler2D detail;
 layout(binding = 4) uniform sampler2D canopy_colours;
 layout(binding = 5) uniform sampler2D lines;        // red: distance to the shore, green: worn earth
 layout(binding = 6) uniform sampler2D sunlit;
@@ -12,13 +12,20 @@ uniform vec4 show;          // water, trails
 uniform vec4 brush;         // x, y, radius in metres; w: 1 when there is one
 in vec3 offset;
 in vec2 place;
-in vec4 veil;  // colour of the haze before it, and its share
+in vec4 veil;        // colour of the haze before it, and its share
+in float clear_sky;  // share of direct light that clouds let through
 out vec4 colour;
 
 const float shore_reach = 8.0;
 
 vec3 ambient(vec3 normal, float open) {
   return mix(frame.ambient_ground.rgb, frame.ambient_sky.rgb, 0.5 + 0.5 * normal.z) * open;
+}
+
+// Share of crowns that are painted on the ground: those that are not drawn as plants. Beyond the border there are no plants.
+float painted_share(float to_eye) {
+  vec2 inside = step(vec2(0.0), place) * step(place, frame.terrain.xy);
+  return max(smoothstep(canopy_range.x, canopy_range.y, to_eye), 1.0 - inside.x * inside.y);
 }
 
 float shade_of_crowns() {
@@ -28,41 +35,12 @@ float shade_of_crowns() {
   return 1.0 - frame.shade_area.w * edge.x * edge.y * texture(canopy_shade, at).r;
 }
 
-vec3 water(vec3 bed, vec3 ground_normal, float inside, float light_share, float to_eye) {
-  vec3 view = offset / to_eye;
-  float near = exp(-to_eye * 0.006);
-  // Ripples on three scales; the small ones are lost with distance and leave a broader glitter.
-  vec2 wave = (texture(detail, place * 0.031 + 0.3).rg - 0.5) * 0.30 + (texture(detail, place.yx * 0.087).rg - 0.5) * 0.45 +
-              (texture(detail, place * 0.29 + 0.7).rg - 0.5) * 0.55 * near;
-  float steep = 1.0 - ground_normal.z;
-  vec3 up = normalize(mix(vec3(0.0, 0.0, 1.0), ground_normal, 0.35));
-  vec3 normal = normalize(up + vec3(wave * (0.07 + 0.10 * near), 0.0));
-  float fresnel = 0.02 + 0.98 * pow(1.0 - max(dot(-view, normal), 0.0), 5.0);
-  vec3 bounced = reflect(view, normal);
-  bounced.z = abs(bounced.z) + 0.02;
-  vec3 mirrored = sky_colour(normalize(bounced));
-  // Low rays meet banks and trees before the sky, more so near the shore.
-  float banks = exp(-bounced.z * 7.0) * (0.25 + 0.45 * exp(-max(inside, 0.0) * 0.35));
-  mirrored = mix(mirrored, mirrored * vec3(0.30, 0.36, 0.30), banks);
-  float depth = clamp(inside, 0.0, shore_reach) * 0.35;
-  float clear = exp(-depth * 1.3);
-  vec3 light = frame.light_colour.rgb * light_share * max(frame.light_direction.z, 0.0) + frame.ambient_sky.rgb;
-  vec3 body = mix(vec3(0.016, 0.050, 0.050), bed * vec3(0.50, 0.56, 0.46), clear) * light;
-  vec3 half_way = normalize(frame.light_direction.xyz - view);
-  float glint = pow(max(dot(half_way, normal), 0.0), mix(160.0, 500.0, near)) * 4.0 * light_share;
-  float foam = smoothstep(0.012, 0.07, steep) * smoothstep(0.42, 0.75, texture(detail, place * 0.19).b + 0.35 * steep);
-  vec3 out_colour = mix(body, mirrored, fresnel) + frame.light_colour.rgb * glint * 0.4;
-  return mix(out_colour, light * 0.42, foam * 0.55);
-}
-
 void main() {
   float to_eye = length(offset);
-  vec2 uv = ground_uv(place);
+  float height = frame.eye.z + offset.z;
+  vec2 uv = ground_uv(ground_source(place));
   vec4 coded_normal = texture(normals, uv);
-  vec3 ground_normal = normalize(coded_normal.xyz * 255.0 / 127.0 - 128.0 / 127.0);
-  // Beyond the border the ground is mirrored: so is its slope.
-  vec2 tile = floor(place / frame.terrain.xy);
-  ground_normal.xy *= 1.0 - 2.0 * mod(abs(tile), 2.0);
+  vec3 ground_normal = ground_normal_at(coded_normal.xyz * 255.0 / 127.0 - 128.0 / 127.0, place);
   vec3 normal = ground_normal;
 
   vec4 ground = texture(ground_colours, uv);
@@ -78,48 +56,108 @@ void main() {
   float tussocks = texture(detail, vec2(place.x * 0.8 + place.y * 0.6, place.y * 0.8 - place.x * 0.6) * 0.12, -1.0).b - 0.5;
   grain += tussocks * 0.5 * exp(-to_eye * 0.008) * (1.0 - rock);
   albedo *= 1.0 + grain;
-  albedo *= mix(vec3(1.0), mix(vec3(1.10, 1.0, 0.82), vec3(0.92, 1.02, 1.0), middle.a), 0.55 * (1.0 - rock));
+  albedo *= mix(vec3(1.0), mix(vec3(1.10, 1.0, 0.80), vec3(0.88, 1.03, 0.98), middle.a), 0.6 * (1.0 - rock));
   // Beds of rock show as bands of height.
-  float bands = texture(detail, vec2(0.37, (place.x + place.y) * 0.0011 + (frame.eye.z + offset.z) * 0.021)).a;
-  albedo *= 1.0 + rock * (bands - 0.5) * 0.55;
-  normal.xy += ((fine.rg - 0.5) * 0.55 * exp(-to_eye * 0.02) + (middle.rg - 0.5) * (0.45 + 0.75 * rock)) * (0.6 + 0.8 * rock);
+  float bands = texture(detail, vec2(0.37 + (place.x + place.y) * 0.0011, height * 0.021)).a;
+  albedo *= 1.0 + rock * (bands - 0.5) * 0.8;
+  vec2 bumps = (fine.rg - 0.502) * 0.55 * exp(-to_eye * 0.02) + (middle.rg - 0.502) * (0.45 + 0.75 * rock);
+  if (with_detail) {
+    // Steep rock is looked at from the side: its texture lies on the walls, not on the map.
+    float facing_east = smoothstep(-0.2, 0.2, abs(ground_normal.x) - abs(ground_normal.y) + 0.2 * (middle.a - 0.5));
+    vec2 on_wall = vec2(mix(place.x, place.y + 331.0, step(0.5, facing_east)), height * 1.7);
+    vec4 wall = texture(detail, on_wall * 0.0059);
+    vec4 wall_near = texture(detail, on_wall.yx * 0.043, -0.5);
+    wall = mix(wall, 0.5 * (wall + wall_near), exp(-to_eye * 0.0025));
+    float steep = rock * smoothstep(0.86, 0.70, ground_normal.z);
+    albedo *= 1.0 + steep * ((wall.a - 0.5) * 0.9 + (wall.b - 0.5) * 0.5);
+    bumps = mix(bumps, (wall.rg - 0.502) * 1.7, steep * 0.8);
+    // Stones on scree and thin soil.
+    float stones = smoothstep(0.60, 0.75, fine.a * 0.55 + middle.b * 0.45) * smoothstep(0.03, 0.25, rock) * (1.0 - rock) * exp(-to_eye * 0.006);
+    albedo = mix(albedo, vec3(0.26, 0.25, 0.225) * (0.6 + 0.8 * fine.b), stones * 0.8);
+  }
+  normal.xy += bumps * (0.6 + 0.8 * rock);
 
   vec2 line = texture(lines, uv).rg;
   float worn = line.g * show.y;
-  albedo = mix(albedo, vec3(0.155, 0.108, 0.066) * (0.8 + 0.5 * fine.b), clamp(worn * (0.75 + 0.5 * fine.a), 0.0, 0.9));
+  // Feet have worn the edges of a trail to tongues.
+  float trodden = smoothstep(0.12, 0.62, worn * (0.70 + 0.85 * fine.a) + 0.35 * worn * (middle.b - 0.5));
+  albedo = mix(albedo, vec3(0.132, 0.101, 0.071) * (0.75 + 0.6 * fine.b), 0.92 * trodden);
+  if (with_detail) {
+    // Sunken: its sides lean inward.
+    vec2 texel = 1.0 / vec2(textureSize(lines, 0));
+    vec2 rise = vec2(texture(lines, uv + vec2(texel.x, 0.0)).g, texture(lines, uv - vec2(0.0, texel.y)).g) - line.g;
+    normal.xy += rise * show.y * 1.6 * exp(-to_eye * 0.012);
+  }
 
   float open = coded_normal.a;
-  if (with_canopy) {
-    vec4 canopy = texture(canopy_colours, uv);
-    // Seen aslant, crowns hide more of the ground than from above.
-    float aslant = 1.0 + 1.1 * (1.0 - clamp(-offset.z / to_eye, 0.0, 1.0));
-    float crowns = (1.0 - pow(1.0 - min(canopy.a, 0.98), aslant)) * canopy_range.z * smoothstep(canopy_range.x, canopy_range.y, to_eye);
-    vec4 clumps = texture(detail, place * 0.021);
-    float crown_edge = smoothstep(-0.12, 0.12, crowns - 0.25 - 0.5 * clumps.b * (1.0 - crowns));
-    crowns = mix(crowns, crown_edge, 0.55) * step(0.004, crowns);
-    float stands = 0.87 + 0.5 * (texture(detail, place.yx * 0.00113 + 0.4).a - 0.5) + 0.3 * (broad - 0.5) * close;
-    albedo = mix(albedo, canopy.rgb * canopy.rgb * (0.4 + 1.0 * clumps.b) * stands, crowns);
-    normal.xy += (clumps.rg - 0.5) * 1.3 * crowns;
-  }
-  normal = normalize(normal);
+  float patchy = clamp(0.50 * middle.a + 0.22 * fine.b + 0.28 * broad + 0.7 * (0.90 - open), 0.0, 1.0);
+  float snow = snow_share(height, ground_normal, patchy) * (1.0 - 0.55 * trodden);
+  float wet_ground = frame.weather.w * rain_share(height) * (1.0 - snow);
 
-  float light_share = texture(sunlit, uv).r * shade_of_crowns();
+  vec4 canopy = vec4(0.0);
+  float crowns = 0.0;
+  if (with_canopy || (with_water && with_detail)) canopy = texture(canopy_colours, uv, with_canopy ? 0.0 : 3.0);
+  if (with_canopy) {
+    vec4 clumps = texture(detail, place * 0.0052);
+    vec3 spots = crown_spots(place, (clumps.rg + middle.rg) * 13.0, to_eye / frame.eye.w);
+    crowns = crowns_seen(canopy.a, offset, ground_normal, to_eye, spots.x + 0.5 * (clumps.b - 0.5)) * canopy_range.z *
+             painted_share(to_eye);
+    vec3 leaves = canopy.rgb * canopy.rgb * (0.75 + 0.5 * clumps.b) * (1.0 + 0.7 * spots.y + 0.9 * spots.z);
+    if (with_detail) {
+      // From high up single crowns are lost; groups of them are not.
+      vec4 groups = texture(detail, place.yx * 0.0027 + 0.2);
+      leaves *= 0.72 + 0.56 * groups.b;
+      normal.xy += (groups.rg - 0.502) * 1.3 * crowns;
+    }
+    // Crowns hold less snow than the ground.
+    leaves = mix(leaves, snow_albedo * 0.9, snow_share(height, vec3(0.0, 0.0, 1.0), clumps.b * 0.8) * 0.16);
+    // Between crowns snow lies in their shade.
+    snow *= (1.0 - crowns) * (1.0 - 0.55 * min(1.0, 1.6 * crowns));
+    albedo = mix(albedo, leaves, crowns);
+    normal.xy += (clumps.rg - 0.502) * 1.7 * crowns;
+  }
+  albedo = mix(albedo, snow_albedo, snow);
+  normal = normalize(mix(normal, ground_normal + vec3(bumps * 0.22, 0.0), snow));
+  // Wet earth is darker: water fills what scattered the light.
+  albedo *= 1.0 - 0.42 * wet_ground * (1.0 - 0.6 * crowns);
+
+  float light_share = texture(sunlit, uv).r * shade_of_crowns() * clear_sky;
   float toward_light = max(dot(normal, frame.light_direction.xyz), 0.0);
+  if (with_canopy) toward_light = mix(toward_light, crown_light(offset, to_eye, max(dot(ground_normal, frame.light_direction.xyz), 0.0)), crowns);
   vec3 light = frame.light_colour.rgb * toward_light * light_share + ambient(normal, open);
   vec3 lit = albedo * light;
+  if (with_detail) {
+    // Snow glitters and wet ground shines.
+    vec3 view = offset / to_eye;
+    vec3 half_way = normalize(frame.light_direction.xyz - view);
+    float crystals = smoothstep(0.80, 0.92, texture(detail, place * 3.1).b * (0.6 + 0.4 * fine.a) + 0.25 * max(dot(normal, half_way), 0.0));
+    lit += frame.light_colour.rgb * light_share * crystals * snow * 0.35 * exp(-to_eye * 0.03);
+    float grazing = 1.0 - max(dot(-view, normal), 0.0);
+    float puddles = smoothstep(0.60, 0.30, middle.a) * smoothstep(0.93, 0.99, ground_normal.z) * max(trodden, 0.10);
+    float sheen = wet_ground * (0.03 + 0.24 * puddles) * (0.04 + grazing * grazing * grazing * grazing) * open * (1.0 - crowns);
+    lit += sheen * sky_colour(reflect(view, normalize(ground_normal + vec3(0.0, 0.0, 2.0))));
+  }
 
   if (with_water) {
     // Water: as wide as it is, but never narrower than a good part of a pixel, so that a river stays one line from afar.
     float pixel = to_eye / frame.eye.w;
     float inside = (line.r * 255.0 - 128.0) * (shore_reach / 127.0);
     float grazing = max(-offset.z / to_eye, 0.12);
-    float soft = max(pixel * 0.6, 0.12);
-    float wet = smoothstep(-soft, soft, inside + min(0.28 * pixel / grazing, 2.2)) * show.x;
-    // Banks: pebbles laid bare by floods, then a damp margin before the water.
-    float pebbles = smoothstep(-4.5, -1.0, inside + 2.4 * (middle.b - 0.5)) * smoothstep(0.0, 0.4, show.x) * (1.0 - smoothstep(30.0, 400.0, to_eye) * 0.6);
-    lit = mix(lit, vec3(0.26, 0.245, 0.21) * (0.65 + 0.7 * fine.b) * light, pebbles * 0.6);
-    lit *= 1.0 - 0.42 * smoothstep(-1.3, 0.0, inside) * show.x;
-    if (wet > 0.0) lit = mix(lit, water(albedo, ground_normal, inside, light_share, to_eye), wet);
+    float soft = max(pixel * 0.6, 0.10);
+    float shore = inside + 0.55 * (fine.b - 0.5) * exp(-to_eye * 0.02) + 0.9 * (middle.b - 0.5) * exp(-to_eye * 0.005);
+    float wet = smoothstep(-soft, soft, shore + min(0.28 * pixel / grazing, 2.2)) * show.x;
+    // Banks: gravel that floods left here and there, then a damp margin before the water.
+    vec3 gravel = mix(vec3(0.085, 0.078, 0.062), vec3(0.235, 0.222, 0.190), fine.b * (0.4 + fine.a));
+    float bared = smoothstep(-2.6, -0.2, inside + 3.4 * (middle.a - 0.56) + 1.2 * (fine.b - 0.5)) * show.x * (1.0 - 0.8 * snow);
+    float damp = smoothstep(-1.5, -0.1, inside + 0.8 * (fine.b - 0.5)) * show.x;
+    lit = mix(lit, gravel * light, bared * 0.85 * (1.0 - smoothstep(200.0, 900.0, to_eye) * 0.5));
+    lit *= 1.0 - 0.45 * damp;
+    if (wet > 0.0) {
+      vec4 trees = vec4(0.030, 0.042, 0.020, 0.30);
+      if (with_detail) trees = vec4(canopy.rgb * canopy.rgb * 0.75, min(1.0, canopy.a * 1.8));
+      vec3 bed = mix(vec3(0.075, 0.068, 0.042), vec3(0.215, 0.195, 0.140), clamp(0.25 * middle.b + 0.35 * middle.a + 0.5 * fine.b - 0.05, 0.0, 1.0));
+      lit = mix(lit, water_colour(offset, place, uv, bed, max(inside, 0.0), light_share, trees, to_eye), wet);
+    }
   }
 
   if (brush.w > 0.0) {
@@ -132,7 +170,7 @@ void main() {
   // Land beyond the border is only scenery: it fades into the haze.
   vec2 beyond = max(max(-place, place - frame.terrain.xy), vec2(0.0)) / frame.terrain.xy;
   float outside = max(beyond.x, beyond.y);
-  lit = mix(lit, vec3(dot(lit, vec3(0.3, 0.5, 0.2))), smoothstep(0.0, 0.02, outside) * 0.35);
+  lit = mix(lit, vec3(dot(lit, vec3(0.3, 0.5, 0.2))), smoothstep(0.0, 0.15, outside) * 0.25);
   float haziness = max(veil.a, smoothstep(0.0, 0.85, outside));
   colour = vec4(to_screen(mix(lit, veil.rgb, haziness)), 1.0);
 }

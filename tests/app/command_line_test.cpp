@@ -254,3 +254,39 @@ TEST_CASE("render draws a picture of the size asked, without a display") {
   CHECK(picture->width == 160);
   CHECK(picture->height == 90);
 }
+
+TEST_CASE("render flies along a path, a picture a moment") {
+  const Workplace place;
+  std::ofstream(place.at("path.json")) << R"({"keys": [
+    {"seconds": 0, "x": 200, "y": 200, "z": 400, "heading": 0, "pitch": -20},
+    {"seconds": 0.3, "x": 260, "y": 220, "z": 400, "heading": 20, "pitch": -20}], "hours": [8, 12]})";
+  const Outcome flown = run({"render", place.dem(), "--path", place.at("path.json"), "--out", place.at("frames"), "--size", "64x48",
+                             "--fps", "10", "--quality", "0.5", "--quiet"});
+  if (flown.code != 0 && flown.err.find("EGL") != std::string::npos) {
+    WARN("no OpenGL on this machine: " << flown.err);
+    return;
+  }
+  INFO(flown.err);
+  REQUIRE(flown.code == 0);
+  for (const char* name : {"frame-00001.png", "frame-00002.png", "frame-00003.png", "frame-00004.png"}) {
+    const auto picture = read_png(place.at("frames") + "/" + name);
+    REQUIRE(picture);
+    CHECK(picture->width == 64);
+    CHECK(picture->height == 48);
+  }
+  CHECK_FALSE(fs::exists(place.at("frames") + "/frame-00005.png"));
+}
+
+TEST_CASE("a path that cannot be flown is told before anything is computed") {
+  const Workplace place;
+  const Outcome missing = run({"render", place.dem(), "--path", place.at("none.json"), "--out", place.at("frames"), "--quiet"});
+  CHECK(missing.code == exit_failure);
+  CHECK_THAT(missing.err, Contains("none.json"));
+  std::ofstream(place.at("path.json")) << R"({"keys": [{"seconds": 0, "x": 1}]})";
+  const Outcome wrong = run({"render", place.dem(), "--path", place.at("path.json"), "--out", place.at("frames"), "--quiet"});
+  CHECK(wrong.code == exit_failure);
+  CHECK_THAT(wrong.err, Contains("key 1"));
+  CHECK_FALSE(fs::exists(place.at("frames")));
+  const Outcome rate = run({"render", place.dem(), "--path", place.at("path.json"), "--out", place.at("frames"), "--fps", "0"});
+  CHECK(rate.code == exit_usage);
+}

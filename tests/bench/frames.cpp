@@ -143,7 +143,7 @@ class Bench {
       if (!io.MouseDown[0]) state_.path.points.clear();
       io.MouseDown[0] = true;
       state_.path.held = true;
-      state_.path.points.push_back({io.MousePos.x, io.MousePos.y});
+      state_.path.points.push_back({io.MousePos.x, io.MousePos.y, 1.0F});
       frame(times);
     }
     io.MouseDown[0] = false;

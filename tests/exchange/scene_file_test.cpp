@@ -31,6 +31,21 @@ TEST_CASE("saving what was loaded gives the same bytes") {
   CHECK(bytes_of(folder / "a.biotope") == bytes_of(folder / "b.biotope"));
 }
 
+TEST_CASE("views are saved beside the document and change nothing of it") {
+  const TemporaryFolder folder;
+  const Document document = full_document();
+  REQUIRE(save_scene(folder / "a.biotope", document, nullptr, "{\"bookmarks\": []}\n"));
+  const auto views = load_scene_views(folder / "a.biotope");
+  REQUIRE(views);
+  CHECK(*views == "{\"bookmarks\": []}\n");
+  const auto loaded = load_scene(folder / "a.biotope");
+  REQUIRE(loaded);
+  require_same(document, *loaded);
+  REQUIRE(save_scene(folder / "b.biotope", document));
+  CHECK(load_scene_views(folder / "b.biotope")->empty());
+  CHECK_FALSE(load_scene_views(folder / "none.biotope"));
+}
+
 TEST_CASE("a plain document needs no voids, layers or given maps") {
   const TemporaryFolder folder;
   const auto document = scenes::small_document(std::string(BIOTOPE_SOURCE_DIR) + "/assets");

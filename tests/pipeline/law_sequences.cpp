@@ -44,7 +44,7 @@ void solve_and_stop(const Document& document, SolveCache& cache, int reports) {
   context.progress = [&](std::string_view, double) {
     if (--reports <= 0) source.request_stop();
   };
-  (void)solve(document, &cache, context);
+  (void)solve(document, &cache, context, [](const std::shared_ptr<const MapsSnapshot>&) {});
 }
 
 /// A law: given the steps of a session, what breaks it; empty when it holds.
@@ -57,7 +57,7 @@ std::string incremental_is_scratch(const std::vector<Step>& steps) {
   (void)solve(session.document(), &cache);
   for (const Step& step : steps) {
     session.perform(step);
-    if (step.answer == Answer::whole) (void)solve(session.document(), &cache);
+    if (step.answer == Answer::whole) (void)solve(session.document(), &cache, {}, [](const std::shared_ptr<const MapsSnapshot>&) {});
     if (step.answer == Answer::stopped) solve_and_stop(session.document(), cache, 1 + int(step.number % 29));
   }
   const auto maps = solve(session.document(), &cache);

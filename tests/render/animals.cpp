@@ -1,114 +1,122 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <vector>
 
-#include "render/animal_members.hpp"
 #include "render/animal_mesh.hpp"
+#include "render/animal_pick.hpp"
 
 using namespace biotope;
 
 namespace {
 
-Species grazer() {
-  Species species;
-  species.name = "grazer";
-  AnimalTraits traits;
-  traits.speed = 1.4F;
-  traits.shape.body_length = 2;
-  species.traits = traits;
-  return species;
-}
-
-/// A flat terrain of 1 km with one herd of 20 that walks from west to east between 8 and 8:10 and stands before and after.
-struct WalkingHerd {
-  MapsSnapshot maps;
-  DailyPlan plan;
-
-  WalkingHerd() {
-    Terrain terrain;
-    terrain.height = Grid<float>(100, 100, 5.0F);
-    terrain.cell_size = 10;
-    maps.document.terrain = std::make_shared<const Terrain>(std::move(terrain));
-    FoodWeb web;
-    web.species = {grazer()};
-    web.level = {1};
-    maps.web = std::make_shared<const FoodWeb>(std::move(web));
-    ResourceAccessGraph graph;
-    graph.levels.resize(2);
-    graph.levels[1].nodes.resize(2);
-    graph.levels[1].nodes[0].x = 20;
-    graph.levels[1].nodes[1].x = 80;
-    maps.graph = std::make_shared<const ResourceAccessGraph>(std::move(graph));
-    plan.size = 20;
-    plan.active = {{0, 24}};
-    plan.stops = {{0, 0, 8}, {1, 8.167F, 23.8F}};
-    plan.way = {{0, {20, 50}}, {8, {20, 50}}, {8.167F, {80, 50}}, {23.8F, {80, 50}}, {24, {20, 50}}};
-  }
+struct Listed {
+  const char* name;
+  const char* model;
+  const char* headgear;
+  float shoulder;
+  float length;
 };
+constexpr Listed listed[] = {
+    {"Bison priscus", "bovid", "horns", 1.8F, 2.9F},         {"Cervus elaphus", "deer", "antlers", 1.25F, 2.1F},
+    {"Dama roberti", "deer", "palmate", 0.9F, 1.5F},         {"Rangifer tarandus", "deer", "antlers", 1.15F, 1.9F},
+    {"Equus mosbachensis", "horse", "none", 1.5F, 2.4F},     {"Hemitragus bonali", "goat", "horns", 0.9F, 1.3F},
+    {"Ovis ammon", "sheep", "curled", 1.1F, 1.7F},           {"Ursus arctos", "bear", "none", 1.1F, 2.0F},
+    {"Lynx spelaeus", "cat", "none", 0.65F, 1.0F},           {"Canis mosbachensis", "wolf", "none", 0.7F, 1.2F},
+    {"Vulpes vulpes", "fox", "none", 0.38F, 0.7F},           {"Sus scrofa", "boar", "none", 0.9F, 1.5F},
+    {"Stephanorhinus sp.", "rhino", "horns", 1.7F, 3.6F},    {"Alces alces", "deer", "palmate", 1.9F, 2.8F},
+    {"Odocoileus hemionus", "deer", "antlers", 0.95F, 1.6F}, {"Antilocapra americana", "goat", "horns", 0.9F, 1.4F},
+    {"Panthera spelaea", "cat", "none", 1.2F, 2.4F},         {"Unheard of", "unheard-of", "none", 1.2F, 2.0F}};
+
+AnimalShape shape_of(const Listed& one) {
+  AnimalShape shape;
+  shape.model = one.model;
+  shape.headgear = one.headgear;
+  shape.shoulder_height = one.shoulder;
+  shape.body_length = one.length;
+  return shape;
+}
 
 }  // namespace
 
-TEST_CASE("A herd's members are a pure function of the hour, one for each animal, on the map") {
-  const WalkingHerd herd;
-  for (const double hour : {0.0, 7.9, 8.05, 12.0, 23.9}) {
-    const auto once = herd_members(herd.maps, herd.plan, 3, hour);
-    const auto again = herd_members(herd.maps, herd.plan, 3, hour);
-    REQUIRE(once.size() == 20);
-    for (std::size_t i = 0; i < once.size(); ++i) {
-      CHECK(once[i].place == again[i].place);
-      CHECK(once[i].place.x >= 0);
-      CHECK(once[i].place.x <= 1000);
-      CHECK(once[i].size > 0.4F);
-    }
-  }
-}
-
-TEST_CASE("Standing members keep near the herd and apart from each other; another herd stands otherwise") {
-  const WalkingHerd herd;
-  const auto members = herd_members(herd.maps, herd.plan, 0, 12);
-  const glm::dvec2 middle{805, 495};
-  int crowded = 0;
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    CHECK(glm::length(members[i].place - middle) < 30);
-    for (std::size_t j = 0; j < i; ++j) crowded += glm::length(members[i].place - members[j].place) < 0.3;
-  }
-  CHECK(crowded <= 2);
-  CHECK(herd_members(herd.maps, herd.plan, 1, 12).front().place != members.front().place);
-}
-
-TEST_CASE("Nobody jumps: between two near moments a member moves no faster than an animal can") {
-  const WalkingHerd herd;
-  auto before = herd_members(herd.maps, herd.plan, 0, 7.95);
-  constexpr double seconds = 2;
-  for (double hour = 7.95 + seconds / 3600; hour < 8.3; hour += seconds / 3600) {
-    const auto now = herd_members(herd.maps, herd.plan, 0, hour);
-    for (std::size_t i = 0; i < now.size(); ++i) {
-      REQUIRE(glm::length(now[i].place - before[i].place) < 4.5 * seconds);
-    }
-    before = now;
-  }
-}
-
-TEST_CASE("Every model of animal has a mesh at every detail, fewer triangles the coarser, as tall as it should be") {
-  for (const char* model : {"bovid", "deer", "horse", "goat", "sheep", "bear", "wolf", "cat", "fox", "boar", "rhino", "unheard-of"}) {
-    AnimalShape shape;
-    shape.model = model;
-    shape.shoulder_height = 1.2F;
-    std::size_t last = 10000;
+TEST_CASE("Every species has a mesh at every detail, fewer triangles the coarser, on the ground and as tall as it should be") {
+  for (const Listed& one : listed) {
+    INFO(one.name);
+    const AnimalShape shape = shape_of(one);
+    std::size_t last = 2200;
     for (const AnimalDetail detail : {AnimalDetail::fine, AnimalDetail::plain, AnimalDetail::silhouette}) {
-      const AnimalMesh mesh = make_animal_mesh(shape, detail);
-      INFO(model);
+      const AnimalMesh mesh = make_animal_mesh(shape, one.name, detail);
       CHECK(mesh.indices.size() / 3 < last);
       last = mesh.indices.size() / 3;
       float lowest = 10;
       float withers = 0;
+      float longest = 0;
       for (const AnimalVertex& vertex : mesh.vertices) {
         lowest = std::min(lowest, vertex.position.z);
-        if (vertex.rig.x == 0) withers = std::max(withers, vertex.position.z);
-        CHECK(glm::length(vertex.normal) == Approx(1).margin(1e-3));
+        if (vertex.rig.x == 0 && vertex.rig.y == 0) withers = std::max(withers, vertex.position.z);
+        longest = std::max(longest, std::abs(vertex.position.x));
+        REQUIRE(std::isfinite(vertex.position.x + vertex.position.y + vertex.position.z));
+        REQUIRE(glm::length(vertex.normal) == Approx(1).margin(1e-3));
       }
-      CHECK(lowest == Approx(0).margin(0.08));
-      CHECK(withers > 0.8F);
-      CHECK(withers < 1.6F);
+      CHECK(lowest == Approx(0).margin(0.05 * double(one.shoulder)));
+      CHECK(withers > 0.85F * one.shoulder);
+      CHECK(withers < 1.25F * one.shoulder);
+      CHECK(longest < 1.2F * one.length);
+      for (const std::uint32_t index : mesh.indices) REQUIRE(index < mesh.vertices.size());
     }
     CHECK(last <= 130);
   }
+}
+
+TEST_CASE("A grazing animal's mouth reaches the ground") {
+  for (const Listed& one : listed) {
+    INFO(one.name);
+    const AnimalShape shape = shape_of(one);
+    const AnimalSkeleton skeleton = animal_skeleton(shape, animal_build(shape, one.name));
+    CHECK(grazing_muzzle(skeleton, 0).z > 0.15F * one.shoulder);
+    CHECK(grazing_muzzle(skeleton, 1).z < 0.06F * one.shoulder);
+    CHECK(grazing_muzzle(skeleton, 1).z > -0.06F * one.shoulder);
+    // Legs are long enough to stand on, and bent so that they know which way to fold.
+    for (const AnimalLeg& leg : skeleton.legs) {
+      const float reach = glm::length(leg.knee - leg.hip) + glm::length(leg.foot - leg.knee);
+      CHECK(reach > glm::length(leg.foot - leg.hip));
+      CHECK(leg.hip.z > leg.knee.z);
+    }
+  }
+}
+
+TEST_CASE("Deer differ by their genus, and a person's word on headgear counts") {
+  AnimalShape shape;
+  shape.model = "deer";
+  shape.headgear = "antlers";
+  CHECK(animal_build(shape, "Cervus elaphus").headgear == Headgear::red_antlers);
+  CHECK(animal_build(shape, "Rangifer tarandus").headgear == Headgear::caribou_antlers);
+  shape.headgear = "palmate";
+  CHECK(animal_build(shape, "Dama dama").headgear == Headgear::palmate_antlers);
+  shape.headgear = "none";
+  CHECK(animal_build(shape, "Cervus elaphus").headgear == Headgear::none);
+}
+
+TEST_CASE("A ray finds the animal it hits, the nearest of two, none behind the ground and none behind the eye") {
+  AnimalAt near;
+  near.plan = 1;
+  near.place = {0, 20, 0};
+  near.height = 1;
+  near.length = 1.6F;
+  AnimalAt far = near;
+  far.plan = 2;
+  far.place = {0.3, 60, 0};
+  const std::vector<AnimalAt> drawn{far, near};
+  const glm::dvec3 eye(0, 0, 1.7);
+  const auto toward = [&](glm::dvec3 place) { return glm::vec3(place + glm::dvec3(0, 0, 0.6) - eye); };
+  REQUIRE(pick_animal(drawn, eye, toward(near.place)));
+  CHECK(pick_animal(drawn, eye, toward(near.place))->plan == 1);
+  CHECK(!pick_animal(drawn, eye, toward(near.place), 10));
+  CHECK(!pick_animal(drawn, eye, -toward(near.place)));
+  CHECK(!pick_animal(drawn, eye, toward({15, 20, 0})));
+  // One that is farther off is hit within a few pixels of its own size.
+  CHECK(pick_animal(std::span(&far, 1), eye, toward({0.7, 60, 0})));
+  REQUIRE(animal_near(drawn, {0.2, 55}, 10));
+  CHECK(animal_near(drawn, {0.2, 55}, 10)->plan == 2);
+  CHECK(!animal_near(drawn, {0.2, 45}, 10));
 }

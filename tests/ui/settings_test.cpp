@@ -32,6 +32,11 @@ TEST_CASE("settings survive a restart") {
   settings.shortcuts["tool.brush"] = "P";
   settings.window_width = 1920;
   settings.history_megabytes = 2048;
+  settings.quality_level = QualityLevel::high;
+  settings.weather.fog = 0.4F;
+  settings.weather.snow_cover = false;
+  settings.animate = false;
+  settings.mini_map = false;
   const std::filesystem::path file = scratch.path / "deep" / "settings.json";
   REQUIRE(save_settings(file, settings));
   const Settings read = load_settings(file);
@@ -43,6 +48,10 @@ TEST_CASE("settings survive a restart") {
   CHECK(read.shortcuts == settings.shortcuts);
   CHECK(read.window_width == 1920);
   CHECK(read.history_megabytes == 2048);
+  CHECK(read.quality_level == QualityLevel::high);
+  CHECK(read.weather == settings.weather);
+  CHECK(read.animate == false);
+  CHECK_FALSE(read.mini_map);
   CHECK_FALSE(std::filesystem::exists(file.string() + ".new"));
 }
 
@@ -56,6 +65,13 @@ TEST_CASE("a damaged settings file gives defaults, and odd values are put right"
   CHECK(odd.brush.radius == Settings().brush.radius);
   CHECK(odd.brush.strength == 1);
   CHECK(odd.recent == std::vector<std::string>{"a"});
+  const Settings wild = settings_from_json(
+      R"({"weather": {"cloud": 7, "wind": -3, "fog": "thick"}, "quality_level": "best", "animate": "yes"})");
+  CHECK(wild.weather.cloud == 1);
+  CHECK(wild.weather.wind == 0);
+  CHECK(wild.weather.fog == 0);
+  CHECK(wild.quality_level == QualityLevel::automatic);
+  CHECK_FALSE(wild.animate);
 }
 
 TEST_CASE("recent files are the newest first, without doubles, and not endless") {

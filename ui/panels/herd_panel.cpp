@@ -7,6 +7,8 @@
 #include "ui/format.hpp"
 #include "ui/herd_day.hpp"
 #include "ui/icons.hpp"
+#include "ui/panels/herd_state_panel.hpp"
+#include "ui/show_places.hpp"
 
 namespace biotope {
 namespace {
@@ -112,7 +114,8 @@ StopAction draw_stop(const UiContext& ui, const PlanEdit& day, std::size_t index
     ui.state.view.map.centre_y = double(stop.at.y);
     ui.state.clock.hour = std::fmod(double(stop.arrive), 24.0);
   }
-  tooltip(theme, "Click: go there, to that hour. On the map the numbered circle can be dragged to another resource");
+  if (row_double_clicked()) show_place(ui.state, stop.at);
+  tooltip(theme, "Click: go there, to that hour. Double-click: see it in 3D. On the map the numbered circle can be dragged to another resource");
   const std::string hours = format_clock(double(stop.arrive)) + " - " + format_clock(double(stop.leave));
   const std::string name = std::to_string(index + 1) + "  " + resource_name(maps, level, node_near(maps, level, stop.at));
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -193,6 +196,7 @@ void draw_herd_panel(const UiContext& ui) {
   const DailyPlan* plan = chosen_plan(state);
   draw_head(ui, *day, plan);
   if (!state.herd_day.herd) return;
+  if (plan != nullptr) draw_herd_state(ui, *plan);
   draw_day_bar(ui, *day, plan);
   draw_stops(ui, *day, plan);
   const float half = (ImGui::GetContentRegionAvail().x - ui.theme.px(6)) / 2;

@@ -10,6 +10,7 @@
 #include "ui/format.hpp"
 #include "ui/icons.hpp"
 #include "ui/placing_actions.hpp"
+#include "ui/show_places.hpp"
 
 namespace biotope {
 namespace {
@@ -153,7 +154,8 @@ void draw_list(const UiContext& ui, std::span<const PlacedKind> kinds) {
         state.view.map.centre_x = double(first.x);
         state.view.map.centre_y = double(first.y);
       }
-      tooltip(ui.theme, "Click: select it and move the map there", "Del removes it");
+      if (row_double_clicked()) show_place(state, points_of(things, item).front());
+      tooltip(ui.theme, "Click: select it and move the map there. Double-click: see it in 3D", "Del removes it");
       ImDrawList& list = *ImGui::GetWindowDrawList();
       list.AddText(at, colour_u32(ui.theme.text), (std::string(placed_name(kind)) + " " + std::to_string(i + 1)).c_str());
       const std::string right = summary(things, item, state.document.terrain->cell_size);

@@ -5,6 +5,7 @@
 #include "ui/format.hpp"
 #include "ui/icons.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/show_places.hpp"
 
 namespace biotope {
 namespace {
@@ -55,7 +56,7 @@ std::string amount_text(const Species& species, const SpeciesFigures* figures) {
 
 void row_tooltip(const UiContext& ui, const Species& species, const SpeciesFigures* figures) {
   std::string text = display_name(species) + " (" + species.scientific_name + ")";
-  text += "\nCtrl+click: paint it together with the selected ones";
+  text += "\nCtrl+click: paint it together with the selected ones. Double-click: see it in 3D";
   if (figures != nullptr && std::isfinite(figures->amount)) {
     const bool plant = species.is_plant();
     const std::string unit = plant ? "kg/yr" : "animals/yr";
@@ -113,6 +114,7 @@ void draw_row(const UiContext& ui, const FoodWeb& web, int number, float most_sh
       select_species(state, number);
     }
   }
+  if (row_double_clicked()) show_species(state, number);
   row_tooltip(ui, species, figures);
   ImGui::SetItemAllowOverlap();
   ImGui::SetCursorScreenPos(ImVec2(at.x + theme.px(2), at.y + theme.px(3)));

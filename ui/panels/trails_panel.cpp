@@ -4,6 +4,7 @@
 #include "ui/format.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/placing_panel.hpp"
+#include "ui/show_places.hpp"
 
 namespace biotope {
 namespace {
@@ -48,7 +49,8 @@ void draw_most_used(const UiContext& ui, const TrailFigures& figures) {
       view.centre_x = double(route.middle.x);
       view.centre_y = double(route.middle.y);
     }
-    tooltip(theme, "Click: move the map there");
+    if (row_double_clicked()) show_place(ui.state, route.middle);
+    tooltip(theme, "Click: move the map there. Double-click: see it in 3D");
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float bar = width * (figures.busiest > 0 ? route.greatest / figures.busiest : 0);
     const float line = ImGui::GetFontSize();

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/movement/herd_world.hpp"
+
+namespace biotope {
+
+/// What sets one animal of a herd apart from the others, all day long.
+struct HerdMemberTraits {
+  float size = 1;  ///< of the species' size
+  bool young = false;
+  bool male = false;
+  /// Share of rest, 0..1, from which it begins to lie down; above 1 it rests standing.
+  double lies_from = 2;
+  double lead = 0;         ///< s that it walks ahead of the plan's place; negative behind
+  double lane = 0;         ///< m to the right of the way while it walks in file
+  double hop_period = 60;  ///< s from one spot to the next while it feeds
+  double hop_phase = 0;    ///< s
+};
+
+/// Where the members of a herd are at one of its stops, absolute places; one entry a member.
+struct StopLayout {
+  Place centre;
+  std::vector<Place> feeding;
+  std::vector<Place> resting;
+  /// At the water's edge; those that find no room wait behind.
+  std::vector<Place> drinking;
+  /// Unit vectors toward the water.
+  std::vector<Place> toward_water;
+  /// Radians from the herd's heading that each looks at rest, and about which each grazes.
+  std::vector<double> resting_turn;
+  std::vector<double> grazing_turn;
+};
+
+/// Everything about a herd's individuals that does not change during the day. A pure function of (world, plan).
+struct HerdCast {
+  std::shared_ptr<const HerdWorld> world;
+  int plan_number = 0;
+  std::uint64_t seed = 0;
+  double body_length = 1.5;  ///< m
+  double shoulder = 1;       ///< m
+  double walk_speed = 1.4;   ///< m/s on flat ground
+  double gallop_speed = 9;   ///< m/s
+  double wade_depth = 0.5;   ///< m
+  /// Cells a member may stand on: those of the herd's confinement region. Null where regions are not known.
+  std::shared_ptr<const Grid<std::int32_t>> regions;
+  std::int32_t region = -1;
+  std::vector<HerdMemberTraits> members;
+  /// As many as the plan has stops; one at the way's first place when it has none.
+  std::vector<StopLayout> stops;
+  /// Plans of herds that eat this one's species.
+  std::vector<int> predators;
+
+  [[nodiscard]] const DailyPlan& plan() const { return (*world->plans)[std::size_t(plan_number)]; }
+  /// Whether a member may stand there: on the map, in the herd's region, in water no deeper than it wades.
+  [[nodiscard]] bool passable(Place place) const;
+  /// The place itself, or the last passable one on the straight way to it from `from`.
+  [[nodiscard]] Place nearest_passable(Place from, Place place) const;
+};
+
+[[nodiscard]] HerdCast cast_herd(std::shared_ptr<const HerdWorld> world, int plan_number, std::vector<int> predators);
+
+/// Places at a stop. `facing`: direction the herd came from or goes to.
+[[nodiscard]] StopLayout lay_out_stop(const HerdCast& cast, std::size_t stop, Place centre, bool at_water);
+
+}  // namespace biotope

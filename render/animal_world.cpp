@@ -1,0 +1,40 @@
+#include "render/animal_world.hpp"
+
+#include <algorithm>
+
+#include "render/landscape_renderer.hpp"
+
+namespace biotope {
+
+std::shared_ptr<const HerdWorld> herd_world(const MapsSnapshot& maps, std::shared_ptr<const ShoreMap> shore) {
+  if (!maps.plans || !maps.graph || !maps.web) return nullptr;
+  auto world = std::make_shared<HerdWorld>();
+  world->web = maps.web;
+  world->ground = maps.ground();
+  world->levels = maps.animals;
+  world->graph = maps.graph;
+  world->plans = maps.plans;
+  world->seed = maps.document.seed;
+  if (shore && !shore->codes.empty()) {
+    const double fine = maps.terrain().cell_size / shore->scale;
+    world->shore = [shore = std::move(shore), fine](Place place) {
+      const int x = int(std::floor(place.x / fine));
+      const int y = shore->codes.height() - 1 - int(std::floor(place.y / fine));
+      return shore_distance(shore->codes.clamped(x, y));
+    };
+  }
+  return world;
+}
+
+float surface_height(const Grid<float>& surface, const Terrain& terrain, glm::dvec2 place) {
+  const double scale = double(surface.width()) / terrain.height.width();
+  const double x = place.x / terrain.cell_size * scale - 0.5;
+  const double y = (double(terrain.height.height()) - place.y / terrain.cell_size) * scale - 0.5;
+  return sample_bilinear(surface, x, y);
+}
+
+float standing_height(const Grid<float>& surface, const Terrain& terrain, glm::dvec2 place) {
+  return std::min(surface_height(surface, terrain, place), ground_height(terrain, place.x, place.y));
+}
+
+}  // namespace biotope

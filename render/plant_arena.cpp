@@ -1,0 +1,85 @@
+#include "render/plant_arena.hpp"
+
+#include <algorithm>
+
+namespace biotope {
+
+std::optional<std::uint32_t> SlotRuns::take(std::uint32_t count, std::uint32_t most) {
+  for (auto run = free_.begin(); run != free_.end(); ++run) {
+    if (run->second < count) continue;
+    const std::uint32_t first = run->first;
+    const std::uint32_t left = run->second - count;
+    free_.erase(run);
+    if (left > 0) free_.emplace(first + count, left);
+    return first;
+  }
+  if (count > most || end_ > most - count) return std::nullopt;
+  const std::uint32_t first = end_;
+  end_ += count;
+  return first;
+}
+
+void SlotRuns::give_back(const Run& run) {
+  if (run.count == 0) return;
+  auto [place, added] = free_.emplace(run.first, run.count);
+  if (const auto next = std::next(place); next != free_.end() && place->first + place->second == next->first) {
+    place->second += next->second;
+    free_.erase(next);
+  }
+  if (place != free_.begin()) {
+    const auto before = std::prev(place);
+    if (before->first + before->second == place->first) {
+      before->second += place->second;
+      free_.erase(place);
+    }
+  }
+}
+
+void PlantArena::make_room(std::uint32_t slots) {
+  if (slots <= room_) return;
+  std::uint32_t room = std::max<std::uint32_t>(room_, 1U << 14U);
+  while (room < slots) room += room / 2;
+  Buffer larger = make_buffer();
+  glNamedBufferStorage(larger.name(), GLsizeiptr(room * sizeof(PlantInstance)), nullptr, GL_DYNAMIC_STORAGE_BIT);
+  if (room_ > 0) {
+    glCopyNamedBufferSubData(buffer_.name(), larger.name(), 0, 0, GLsizeiptr(room_ * sizeof(PlantInstance)));
+  }
+  buffer_ = std::move(larger);
+  room_ = room;
+}
+
+bool PlantArena::put(const PlantBlock& block, Resident& resident, std::uint32_t most) {
+  slots_.give_back(resident.run);
+  resident = {{0, 0}, block.version};
+  const auto count = std::uint32_t(block.plants.size());
+  if (count == 0) return true;
+  const auto first = slots_.take(count, most);
+  if (!first) return false;
+  resident.run = {*first, count};
+  make_room(slots_.end());
+  glNamedBufferSubData(buffer_.name(), GLintptr(*first * sizeof(PlantInstance)), GLsizeiptr(count * sizeof(PlantInstance)),
+                       block.plants.data());
+  return true;
+}
+
+void PlantArena::follow(const PlantBlocks& blocks, Stratum stratum, std::uint32_t most) {
+  Places& places = places_[std::size_t(stratum)];
+  const PlantBlocks::Map& wanted = blocks.blocks(stratum);
+  std::erase_if(places, [&](const auto& entry) {
+    if (wanted.contains(entry.first)) return false;
+    slots_.give_back(entry.second.run);
+    return true;
+  });
+  for (const auto& [place, block] : wanted) {
+    const auto found = places.find(place);
+    if (found != places.end() && found->second.version == block.version) continue;
+    Resident resident = found != places.end() ? found->second : Resident{};
+    if (put(block, resident, most)) {
+      places[place] = resident;
+    } else {
+      places.erase(place);
+    }
+  }
+}
+
+}  // namespace biotope

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "render/gl_objects.hpp"
+#include "render/plant_blocks.hpp"
+
+namespace biotope {
+
+/// Runs of slots in a row of a bounded number: first fit, neighbours that are free grow together.
+class SlotRuns {
+ public:
+  struct Run {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+  };
+  /// The first slot of a free run of `count`, at most `most` slots in all; nothing when there is none.
+  [[nodiscard]] std::optional<std::uint32_t> take(std::uint32_t count, std::uint32_t most);
+  void give_back(const Run& run);
+  /// One past the last slot that was ever used.
+  [[nodiscard]] std::uint32_t end() const { return end_; }
+
+ private:
+  std::map<std::uint32_t, std::uint32_t> free_;
+  std::uint32_t end_ = 0;
+};
+
+/// Blocks of woody plants on the graphics side, each uploaded once and again when it changes, all in one buffer of bounded size.
+class PlantArena {
+ public:
+  /// A block's plants in the buffer, in the order of their ranks.
+  struct Resident {
+    SlotRuns::Run run;
+    std::uint32_t version = 0;
+  };
+  using Places = std::map<std::pair<int, int>, Resident>;
+
+  /// Uploads what is new or changed of the blocks of a stratum and forgets those that are gone, with at most `most` plants of all
+  /// strata. Where there is no room a block stays out.
+  void follow(const PlantBlocks& blocks, Stratum stratum, std::uint32_t most);
+  [[nodiscard]] const Places& places(Stratum stratum) const { return places_[std::size_t(stratum)]; }
+  [[nodiscard]] const Buffer& buffer() const { return buffer_; }
+  [[nodiscard]] std::size_t bytes() const { return std::size_t(room_) * sizeof(PlantInstance); }
+
+ private:
+  bool put(const PlantBlock& block, Resident& resident, std::uint32_t most);
+  void make_room(std::uint32_t slots);
+
+  SlotRuns slots_;
+  Buffer buffer_;
+  std::uint32_t room_ = 0;
+  std::array<Places, strata> places_;
+};
+
+}  // namespace biotope

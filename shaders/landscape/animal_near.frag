@@ -1,0 +1,7 @@
+#version 450 core
+#include "landscape/frame.glsl"
+#include "landscape/atmosphere.glsl"
+#include "landscape/ground.glsl"
+#include "landscape/clouds.glsl"
+const bool with_fur = true;
+#include "landscape/animal_coat.glsl"

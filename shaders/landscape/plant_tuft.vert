@@ -1,0 +1,84 @@
+#version 450 core
+#include "landscape/frame.glsl"
+#include "landscape/atmosphere.glsl"
+#include "landscape/clouds.glsl"
+#include "landscape/ground.glsl"
+#include "landscape/plant_kinds.glsl"
+#include "landscape/plant_light.glsl"
+#include "landscape/plant_wind.glsl"
+#include "landscape/snow.glsl"
+layout(location = 0) in vec3 position;
+layout(location = 2) in vec2 card_uv;
+layout(location = 3) in vec4 material;  // picture, open, fall, leaf
+layout(location = 4) in vec4 stands;    // foot, scale
+layout(location = 5) in vec4 own;       // turn, tint, rank, plant
+layout(binding = 2) uniform sampler2D ground_colours;
+layout(binding = 6) uniform sampler2D sunlit;
+layout(binding = 7) uniform sampler2D canopy_shade;
+uniform vec3 flower_colour;
+uniform float bloom;
+uniform vec2 fade;   // metres over which tufts sink into the colour of the ground
+uniform vec2 given;  // metres over which these models give way to the next; x negative: from the ones before
+out vec3 card;
+out vec3 tone;
+out vec3 flower_tone;
+out vec4 veil;
+flat out vec2 shown;
+
+void main() {
+  int plant = int(own.w + 0.5);
+  vec3 foot = stands.xyz - frame.eye.xyz;
+  float distance_to = length(foot);
+  float given_share = smoothstep(abs(given.x), given.y, distance_to);
+  shown = given.x < 0.0 ? vec2(1.0 - given_share, 1.0) : vec2(0.0, 1.0 - given_share);
+
+  float c = cos(own.x);
+  float s = sin(own.x);
+  // Grazed plants are short, but hardly narrower.
+  float snow = snow_share(stands.z, vec3(0.0, 0.0, 1.0), 0.4 + 0.5 * own.y);
+  // Deep snow buries all but the tips.
+  vec3 at = position * vec3(vec2(0.55 + 0.45 * stands.w), stands.w * (1.0 - 0.8 * snow));
+  at.xy = mat2(c, s, -s, c) * at.xy;
+  float strength = gust(stands.xy);
+  vec2 way = frame.wind.xy / max(length(frame.wind.xy), 1e-3);
+  float shiver = 1.0 + 0.35 * sin(frame.wind.z * (3.1 + 2.0 * own.y) + own.y * 50.0 + material.z * 6.0);
+  float lean = min(0.055 * strength * shiver, 1.1) * at.z * at.z / (0.35 + at.z);
+  at += vec3(way * lean, -0.35 * lean * lean / (0.15 + at.z));
+  vec3 offset = foot + at;
+
+  // Lit as the ground is, so that tufts do not stand out of it.
+  vec2 uv = ground_uv(stands.xy);
+  float sun = textureLod(sunlit, uv, 0.0).r * cloud_light(stands.xy, stands.z);
+  vec2 shaded = (stands.xy - frame.shade_area.xy) / frame.shade_area.z;
+  if (frame.shade_area.w > 0.0) sun *= 1.0 - frame.shade_area.w * textureLod(canopy_shade, shaded, 0.0).r;
+  vec3 view = offset / max(distance_to, 0.1);
+  float through = 0.3 * material.y * max(dot(view, frame.light_direction.xyz), 0.0);
+  vec3 light = frame.light_colour.rgb * sun * (max(frame.light_direction.z, 0.0) * 0.92 + through) +
+               mix(frame.ambient_ground.rgb, frame.ambient_sky.rgb, 0.95);
+
+  vec4 coded = textureLod(ground_colours, uv, 0.0);
+  vec3 ground = coded.rgb * coded.rgb;
+  // Roots are dark and have the colour of the ground; tips their own. Waves of wind show their pale sides.
+  float up = clamp(position.z / kinds.form[plant].y, 0.0, 1.0);
+  float far = smoothstep(fade.x, fade.y, distance_to);
+  // As light as the sward around it on the whole, so that a meadow has no holes.
+  vec3 blade = own_leaf(plant, own.y);
+  const vec3 brightness = vec3(0.3, 0.55, 0.15);
+  blade *= mix(1.0, clamp(dot(ground, brightness) / max(dot(blade, brightness), 0.01), 0.5, 2.0), 0.85);
+  vec3 own_colour = blade * own_tone(own.y) * (1.0 + 0.022 * (strength - 0.62 * length(frame.wind.xy)) * up);
+  vec3 leaf = mix(ground, own_colour, (0.25 + 0.4 * up) * (1.0 - 0.75 * far));
+  leaf = mix(leaf, snow_albedo, snow * (1.0 - 0.6 * up) * 0.9) * (1.0 - 0.25 * frame.weather.w * rain_share(stands.z));
+  // Cards have their own shades from root to tip, blades only those of the vertex.
+  float shade = material.x > 0.5 ? 1.12 + 0.18 * up : 0.22 + 1.0 * material.y;
+  tone = leaf * light * mix(shade, 1.0, 0.7 * far);
+  flower_tone = flower_colour * light;
+  card = vec3(card_uv, material.x);
+  veil = vec4(haze_colour(offset), haze(offset));
+  gl_Position = shown.x < shown.y ? frame.view_projection * vec4(offset, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
+  // Under snow only some tall ones look out.
+  if (snow > 0.4 && stands.w < 0.75 + fract(own.y * 3.3)) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+  // Flowers (pictures 7 and 10) that are not out are not drawn.
+  bool flower = abs(material.x - 7.0) < 0.5 || abs(material.x - 10.0) < 0.5;
+  // What was grazed short has none.
+  if (flower && fract(own.y * 13.7) >= bloom * smoothstep(0.4, 0.7, stands.w)) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+}

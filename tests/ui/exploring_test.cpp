@@ -1,0 +1,184 @@
+#include <algorithm>
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "render/plant_placement.hpp"
+#include "tests/render/sample_plants.hpp"
+#include "tests/ui/small_landscape.hpp"
+#include "ui/commands.hpp"
+#include "ui/exploring.hpp"
+#include "ui/gamepad.hpp"
+#include "ui/herd_needs.hpp"
+#include "ui/plant_pick.hpp"
+#include "ui/quality.hpp"
+#include "ui/relief_picture.hpp"
+#include "ui/show_places.hpp"
+#include "ui/weather_control.hpp"
+
+using namespace biotope;
+
+namespace {
+
+/// The small landscape with two herds of deer: one grazes from 6 to 10 and drinks from 11 to 12, the other stays at the water.
+std::shared_ptr<MapsSnapshot> with_herds() {
+  auto maps = small_landscape();
+  auto web = std::make_shared<FoodWeb>(*maps->web);
+  AnimalTraits traits;
+  traits.diet = {{"herbs", {{"grass", 1}}, 3}, {"leaves", {{"leaf", 1}}, 1}};
+  traits.water_visits = 2;
+  web->species[1].traits = traits;
+  web->diets[1] = {{{0}, {1}, 3}, {{7}, {1}, 1}};
+  maps->web = web;
+  auto graph = std::make_shared<ResourceAccessGraph>();
+  graph->levels.resize(2);
+  ResourceNode meadow;
+  meadow.kind = NodeKind::vegetation;
+  meadow.quantities = {{0, 1000, 800}};
+  meadow.x = 10;
+  meadow.y = 10;
+  ResourceNode bank;
+  bank.kind = NodeKind::bank;
+  bank.x = 30;
+  bank.y = 30;
+  graph->levels[1].nodes = {meadow, bank};
+  maps->graph = graph;
+  auto plans = std::make_shared<std::vector<DailyPlan>>(2);
+  for (DailyPlan& plan : *plans) plan.species = 1;
+  (*plans)[0].stops = {{0, 6, 10}, {1, 11, 12}};
+  (*plans)[0].active = {{5, 21}};
+  (*plans)[0].way = {{6, {10, 10}}, {10, {10, 10}}, {11, {30, 30}}, {12, {30, 30}}, {30, {10, 10}}};
+  (*plans)[1].herd = 1;
+  (*plans)[1].stops = {{1, 0, 24}};
+  (*plans)[1].way = {{0, {30, 30}}, {24, {30, 30}}};
+  maps->plans = plans;
+  return maps;
+}
+
+}  // namespace
+
+TEST_CASE("a herd's outlook says what it does until when, and which needs its day meets") {
+  const auto maps = with_herds();
+  const HerdOutlook morning = herd_outlook(*maps, (*maps->plans)[0], 7);
+  CHECK(morning.doing == "feeding");
+  CHECK(morning.until == Approx(10));
+  CHECK(morning.awake == Approx(16));
+  REQUIRE(morning.needs.size() == 3);
+  CHECK(morning.needs[0].name == "Water");
+  CHECK(morning.needs[0].met());
+  CHECK(morning.needs[0].hours == Approx(1));
+  CHECK_FALSE(morning.needs[0].now);
+  CHECK(morning.needs[1].name == "Herbs");
+  CHECK(morning.needs[1].met());
+  CHECK(morning.needs[1].hours == Approx(4));
+  CHECK(morning.needs[1].now);
+  CHECK_FALSE(morning.needs[2].met());
+  const HerdOutlook under_way = herd_outlook(*maps, (*maps->plans)[0], 10.5);
+  CHECK(under_way.doing == "walking");
+  CHECK(under_way.until == Approx(11));
+  CHECK(herd_outlook(*maps, (*maps->plans)[0], 11.5).doing == "drinking");
+}
+
+TEST_CASE("a need that painted numbers outgrow is not met") {
+  const auto maps = with_herds();
+  auto level = std::make_shared<AnimalLevel>(*maps->animals[0]);
+  level->herds = {{1, 0, 5}, {1, 0, 5}};
+  level->shortages = {{1, 0, "grass", 400}};
+  maps->animals[0] = level;
+  const HerdOutlook outlook = herd_outlook(*maps, (*maps->plans)[0], 7);
+  CHECK_FALSE(outlook.needs[1].met());
+  CHECK(outlook.needs[1].short_supply);
+  CHECK(outlook.needs[0].met());
+}
+
+TEST_CASE("next and previous go through a species' herds and come around") {
+  EditorState state;
+  state.shown = with_herds();
+  state.document = state.shown->document;
+  CHECK(neighbouring_plan(state, 1) == 0);
+  CHECK(neighbouring_plan(state, -1) == 1);
+  state.view.visible_species = {true, false};
+  CHECK(neighbouring_plan(state, 1) == -1);
+}
+
+TEST_CASE("the grass is shown where it grows") {
+  const auto maps = small_landscape();
+  CHECK_FALSE(good_place_of_plant(*maps, 1, {0, 0}));
+  const auto place = good_place_of_plant(*maps, 0, {60, 60});
+  REQUIRE(place);
+  CHECK(place->x == 3);
+  CHECK(place->y == 4);
+}
+
+TEST_CASE("a click on a trunk finds its tree, one beside it none") {
+  const auto maps = test::level_landscape();
+  test::cover(*maps, 0, 0.3F);
+  const PlantPlacement placement(maps);
+  const auto trees = placement.block(Stratum::tree, 2, 2);
+  REQUIRE_FALSE(trees.empty());
+  // At the stem of the tallest no other crown is higher.
+  const PlantInstance& tree =
+      *std::max_element(trees.begin(), trees.end(), [](const auto& a, const auto& b) { return a.scale < b.scale; });
+  const glm::dvec3 foot(double(tree.x), double(tree.y), double(tree.z));
+  // From right above there is nothing else in the way.
+  const auto hit = pick_plant(maps, foot + glm::dvec3(0.05, 0, 60), {0, 0, -1}, 60);
+  REQUIRE(hit);
+  CHECK(glm::length(hit->foot - foot) < 0.01);
+  CHECK(hit->species == maps->web->levels[0][std::size_t(tree.plant)]);
+  CHECK_FALSE(pick_plant(maps, foot + glm::dvec3(0, 0, 60), {0, 0, 1}, 60));
+  CHECK_FALSE(pick_plant(maps, foot + glm::dvec3(0.05, 0, 60), {0, 0, -1}, 20));
+  std::vector<bool> hidden(maps->web->species.size(), true);
+  hidden[std::size_t(hit->species)] = false;
+  const auto other = pick_plant(maps, foot + glm::dvec3(0.05, 0, 60), {0, 0, -1}, 60, hidden);
+  CHECK((!other || other->species != hit->species));
+}
+
+TEST_CASE("a level is chosen that keeps its pace, and never less than low") {
+  const auto level = [](double seconds) {
+    const std::array<double, 3> measured{seconds * 3, seconds, seconds * 1.2};
+    return measured_level(measured, false);
+  };
+  CHECK(level(0.5) == QualityLevel::low);
+  CHECK(level(0.015) == QualityLevel::medium);
+  CHECK(level(0.006) == QualityLevel::high);
+  CHECK(level(0.001) == QualityLevel::ultra);
+  CHECK(measured_level(std::array<double, 1>{0.0001}, true) == QualityLevel::low);
+  CHECK(measured_level({}, false) == QualityLevel::low);
+}
+
+TEST_CASE("every named weather is found again by its values, whatever snow and wind direction") {
+  for (const NamedWeather& named : named_weathers()) {
+    auto weather = weather_named(named.name);
+    REQUIRE(weather);
+    weather->snow_cover = false;
+    weather->wind_direction = 10;
+    CHECK(name_of_weather(*weather) == &named);
+    weather->fog += 0.05F;
+    CHECK(name_of_weather(*weather) == nullptr);
+  }
+}
+
+TEST_CASE("a stick that rests moves nothing, and a stick at its end moves whole") {
+  CHECK(stick_value(0.1F) == 0);
+  CHECK(stick_value(-0.12F) == 0);
+  CHECK(stick_value(1) == Approx(1));
+  CHECK(stick_value(-1) == Approx(-1));
+  CHECK(stick_value(0.5F) > 0);
+  CHECK(stick_value(0.5F) < 0.5);
+}
+
+TEST_CASE("the little map has the land's shape and shows its water") {
+  const auto maps = small_landscape();
+  auto water = std::make_shared<Hydrology>();
+  water->water_depth = Grid<float>(70, 66);
+  for (int y = 0; y < 66; ++y) water->water_depth(35, y) = 2;
+  maps->hydrology = water;
+  const ReliefPicture picture = make_relief_picture(*maps, 70);
+  CHECK(picture.width == 70);
+  CHECK(picture.height == 66);
+  const auto blue_over_red = [&](int x) {
+    return int(picture.rgba[(std::size_t(30) * 70 + x) * 4 + 2]) - int(picture.rgba[(std::size_t(30) * 70 + x) * 4]);
+  };
+  CHECK(blue_over_red(35) > 40);
+  CHECK(blue_over_red(10) < 20);
+}

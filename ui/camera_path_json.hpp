@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "core/climate/json_reader.hpp"
+#include "ui/camera_path.hpp"
+
+namespace biotope {
+
+// Cameras and paths as parts of JSON.
+
+[[nodiscard]] Json path_to_json(const CameraPath& path);
+/// At least two keys are wanted where `whole`.
+[[nodiscard]] Result<CameraPath> parse_path(const Json& json, const std::string& origin, bool whole);
+
+/// A camera as members of an object, and back.
+void write_camera(Json& json, const Camera& camera);
+void read_camera(JsonReader& reader, Camera& camera);
+
+}  // namespace biotope

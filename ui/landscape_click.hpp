@@ -1,0 +1,24 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <span>
+
+#include "render/animal_pick.hpp"
+#include "ui/editor_state.hpp"
+
+namespace biotope {
+
+/// A click into the 3D view with nothing in the hand.
+struct LandscapeClick {
+  glm::vec3 ray{0};                  ///< from the camera
+  std::optional<glm::dvec3> ground;  ///< that the ray meets, m
+  float herd_reach = 0;              ///< cells around that place in which a herd counts as meant
+  std::span<const AnimalAt> drawn;   ///< animals in the picture
+};
+
+/// An animal: its herd is chosen and followed. A plant: its species is chosen, and why it stands there is asked. The ground: why
+/// the chosen species is, or is not, here.
+void click_landscape(EditorState& state, const LandscapeClick& click);
+
+}  // namespace biotope

@@ -1,0 +1,258 @@
+#include "ui/picture_export.hpp"
+
+#include <epoxy/gl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <string_view>
+
+#include "ui/camera_motion.hpp"
+#include "ui/video_encoder.hpp"
+
+namespace biotope {
+namespace {
+
+constexpr int software_tile = 640;  // pixels a side: a slice of a third of a second or so
+constexpr int hardware_tile = 4096;
+constexpr double path_clearance = 1.2;  // m over the ground, of cameras on a path
+
+bool drawn_by_processor() {
+  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const std::string_view renderer = name != nullptr ? name : "";
+  return renderer.find("llvmpipe") != std::string_view::npos || renderer.find("softpipe") != std::string_view::npos;
+}
+
+Status check_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(folder, error)) return fail(folder.string() + ": there is no such folder.");
+  if (::access(folder.c_str(), W_OK) != 0) return fail(folder.string() + ": is not writable.");
+  return {};
+}
+
+std::filesystem::path parent_of(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
+}  // namespace
+
+int picture_count(const PictureOrder& order) { return order.along_path() ? frame_count(order.path, order.frames_a_second) : 1; }
+
+PictureView picture_view(const PictureOrder& order, int number) {
+  PictureView view{order.camera, order.options};
+  view.options.brush.reset();
+  if (!order.along_path()) return view;
+  const double seconds = number / order.frames_a_second;
+  view.camera = kept_over_ground(camera_on_path(order.path, seconds), order.snapshot->terrain(), path_clearance);
+  view.options.hour = hour_on_path(order.path, seconds, order.options.hour);
+  view.options.seconds = order.options.seconds + seconds;
+  return view;
+}
+
+std::string frame_name(int number) {
+  char name[32];
+  std::snprintf(name, sizeof name, "frame-%05d.png", number + 1);
+  return name;
+}
+
+Status check_order(const PictureOrder& order) {
+  if (!order.snapshot) return fail("There is no landscape yet.");
+  if (order.width < 16 || order.height < 16 || order.width > largest_picture_side || order.height > largest_picture_side) {
+    return fail("A picture has 16 to " + std::to_string(largest_picture_side) + " pixels a side.");
+  }
+  std::error_code error;
+  if (!order.along_path() || order.video()) {
+    if (std::filesystem::is_directory(order.out, error)) return fail(order.out.string() + ": is a folder; give a file's name.");
+    if (Status folder = check_folder(parent_of(order.out)); !folder) return folder;
+    if (order.video() && !find_ffmpeg())
+      return fail("A video needs ffmpeg, which is not installed; give a folder for the pictures instead.");
+    return {};
+  }
+  if (std::filesystem::is_directory(order.out, error)) return check_folder(order.out);
+  if (std::filesystem::exists(order.out, error)) return fail(order.out.string() + ": is a file; give a folder for the pictures.");
+  return check_folder(parent_of(order.out));
+}
+
+PictureTile picture_tile(int width, int height, int side, int number) {
+  const int columns = (width + side - 1) / side;
+  const int x = number % columns * side;
+  const int y = number / columns * side;
+  return {x, y, std::min(side, width - x), std::min(side, height - y)};
+}
+
+int tile_count(int width, int height, int side) { return (width + side - 1) / side * ((height + side - 1) / side); }
+
+void place_tile(Image& whole, const Image& pixels, const PictureTile& tile) {
+  for (int row = 0; row < tile.height; ++row) {
+    // Tiles count rows from below, images from above.
+    const int whole_row = whole.height - tile.y - tile.height + row;
+    const auto from = pixels.rgba.begin() + std::ptrdiff_t(row) * pixels.width * 4;
+    std::copy(from, from + std::ptrdiff_t(tile.width) * 4,
+              whole.rgba.begin() + (std::ptrdiff_t(whole_row) * whole.width + tile.x) * 4);
+  }
+}
+
+void PictureExporter::start(PictureOrder order) {
+  cancel();
+  out_ = order.out;
+  result_.reset();
+  if (Status possible = check_order(order); !possible) {
+    result_ = std::move(possible);
+    return;
+  }
+  order_ = std::move(order);
+  picture_ = tile_ = 0;
+  loaded_ = video_begun_ = ground_there_ = false;
+  tile_side_ = drawn_by_processor() ? software_tile : hardware_tile;
+}
+
+std::filesystem::path PictureExporter::file_of(int number) const {
+  if (!order_->along_path()) return order_->out;
+  return (order_->video() ? frames_folder(order_->out) : order_->out) / frame_name(number);
+}
+
+void PictureExporter::end(Status status) {
+  if (order_ && order_->video()) {
+    std::error_code error;
+    std::filesystem::remove_all(frames_folder(order_->out), error);
+  }
+  order_.reset();
+  renderer_.reset();
+  target_.reset();
+  whole_ = {};
+  result_ = std::move(status);
+}
+
+void PictureExporter::cancel() {
+  writing_.cancel();
+  if (!order_) return;
+  end({});
+  result_.reset();
+}
+
+bool PictureExporter::prepare() {
+  if (!renderer_) {
+    auto made = LandscapeRenderer::create();
+    if (!made) {
+      end(tl::unexpected(made.error()));
+      return true;
+    }
+    renderer_ = std::move(*made);
+    renderer_->set_snapshot(order_->snapshot);
+    target_ = std::make_unique<RenderTarget>(32, 32);
+    std::error_code error;
+    const std::filesystem::path folder = order_->video() ? frames_folder(order_->out) : order_->out;
+    if (order_->along_path() && !std::filesystem::is_directory(folder, error) &&
+        !std::filesystem::create_directory(folder, error)) {
+      end(fail(folder.string() + ": cannot be made: " + error.message() + "."));
+      return true;
+    }
+  }
+  const PictureView view = picture_view(*order_, picture_);
+  if (!ground_there_) {
+    // The ground is made on a thread of its own: the window goes on meanwhile.
+    renderer_->bring_in(view.options);
+    ground_there_ = renderer_->complete();
+    if (!ground_there_) return false;
+  }
+  // The plants of the first picture take the longest; later ones only add what comes into sight.
+  renderer_->finish_loading(view.camera, view.options);
+  loaded_ = true;
+  tile_ = 0;
+  whole_.width = order_->width;
+  whole_.height = order_->height;
+  whole_.rgba.assign(std::size_t(order_->width) * std::size_t(order_->height) * 4, 0);
+  return true;
+}
+
+void PictureExporter::draw_tile() {
+  const PictureTile tile = picture_tile(order_->width, order_->height, tile_side_, tile_);
+  PictureView view = picture_view(*order_, picture_);
+  view.options.corner = {tile.x, tile.y};
+  target_->resize(tile.width, tile.height);
+  target_->bind();
+  renderer_->draw(view.camera, view.options, order_->width, order_->height);
+  place_tile(whole_, target_->read(), tile);
+  ++tile_;
+}
+
+bool PictureExporter::written() {
+  if (!writing_.running()) return true;
+  const auto result = writing_.take();
+  if (!result) return false;
+  if (!*result) end(tl::unexpected(result->error()));
+  return true;
+}
+
+bool PictureExporter::finish_picture() {
+  if (!written()) return false;
+  if (!order_) return true;
+  auto image = std::make_shared<Image>(std::move(whole_));
+  writing_.start("Writing", [image, file = file_of(picture_)](const TaskContext&) -> Result<bool> {
+    if (Status written = write_png(file, *image); !written) return tl::unexpected(written.error());
+    return true;
+  });
+  ++picture_;
+  loaded_ = false;
+  return true;
+}
+
+bool PictureExporter::finish_all() {
+  if (!written()) return false;
+  if (!order_) return true;
+  if (order_->video() && !video_begun_) {
+    video_begun_ = true;
+    renderer_.reset();
+    writing_.start("Making the video",
+                   [frames = frames_folder(order_->out), out = order_->out,
+                    rate = order_->frames_a_second](const TaskContext& context) -> Result<bool> {
+                     if (Status made = encode_video(frames, rate, out, context); !made) return tl::unexpected(made.error());
+                     return true;
+                   });
+    return true;
+  }
+  end({});
+  return true;
+}
+
+bool PictureExporter::slice() {
+  if (picture_ >= picture_count(*order_)) return finish_all();
+  if (!loaded_) return prepare();
+  if (tile_ < tile_count(order_->width, order_->height, tile_side_)) {
+    draw_tile();
+    return true;
+  }
+  return finish_picture();
+}
+
+void PictureExporter::advance(double seconds) {
+  const auto begin = std::chrono::steady_clock::now();
+  while (order_) {
+    if (!slice()) return;
+    if (std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > seconds) return;
+  }
+}
+
+std::optional<Status> PictureExporter::take_result() {
+  std::optional<Status> result = std::move(result_);
+  result_.reset();
+  return result;
+}
+
+double PictureExporter::fraction() const {
+  if (!order_) return 0;
+  const int tiles = tile_count(order_->width, order_->height, tile_side_);
+  const double pictures = picture_ + (loaded_ ? double(tile_) / tiles : 0);
+  return std::clamp(pictures / std::max(picture_count(*order_), 1), 0.0, 1.0);
+}
+
+std::string PictureExporter::stage() const {
+  if (!order_) return {};
+  const int count = picture_count(*order_);
+  if (picture_ >= count) return video_begun_ ? "Making the video" : "Writing the picture";
+  if (count == 1) return loaded_ ? "Drawing the picture" : "Preparing the picture";
+  return "Picture " + std::to_string(picture_ + 1) + " of " + std::to_string(count);
+}
+
+}  // namespace biotope

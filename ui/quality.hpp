@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+
+#include "ui/widgets.hpp"
+
+namespace biotope {
+
+inline constexpr double wanted_frames = 24;  ///< a second that a level must keep to be chosen
+
+/// The highest level that should keep `wanted_frames`, from what pictures at level low took (s each, the quickest counts). Never
+/// less than low; low where the processor draws.
+[[nodiscard]] QualityLevel measured_level(std::span<const double> seconds_at_low, bool software);
+
+/// The choice of the level in the settings.
+void draw_quality_setting(const UiContext& ui);
+/// What drawing costs, in a corner of the 3D view.
+struct DrawnFigures {
+  std::size_t plants = 0;
+  std::size_t animals = 0;
+  std::size_t triangles = 0;
+  int draw_calls = 0;
+  std::size_t instance_bytes = 0;
+  int width = 0;
+  int height = 0;
+  double seconds = 0;  ///< of the last picture; 0: not known
+};
+void draw_figures(const UiContext& ui, ImVec2 corner, const DrawnFigures& figures);
+
+}  // namespace biotope
