@@ -132,17 +132,20 @@ void add_render(CLI::App& program, RenderRequest& request) {
   CLI::App& command = *program.add_subcommand("render", "Compute a landscape and draw it in 3D");
   add_file(command, request.landscape.input);
   command.get_option("FILE")->required();
-  add_name(command, "--out", request.picture, "Picture to write; with --path a folder, or a video that ends in .mp4", "PNG")->required();
+  add_name(command, "--out", request.picture, "Picture to write; with --path a folder, or a video that ends in .mp4", "PNG")
+      ->required();
   add_name(command, "--path", request.path_file, "Camera path to fly along, written by the editor", "PATH.json");
-  add_parsed(command, "--fps", request.frames_a_second, number_within(1, 120), "Pictures a second along the path, 25 unless told", "N");
+  add_parsed(command, "--fps", request.frames_a_second, number_within(1, 120), "Pictures a second along the path, 25 unless told",
+             "N");
   add_parsed(command, "--size", request.size, parse_picture_size, "Pixels, 1280x720 unless told", "WxH");
   add_parsed(command, "--camera", request.view, parse_camera,
              "x,y,z,heading,pitch: metres from the south-west corner and above the sea (+z: the ground), degrees", "VIEW");
   add_parsed(command, "--hour", request.hour, number_within(0, 24), "Local solar time, 10.5 unless told", "H");
   add_parsed(command, "--month", request.month, whole_number_within(1, 12), "1 is January; 6 unless told", "M");
-  add_parsed(command, "--weather", request.weather, parse_weather, "clear, fair (the default), overcast, rain, fog or storm", "NAME");
-  add_parsed(command, "--seconds", request.seconds, number_within(0, 1e6), "Time of what moves (leaves, waves, rain), 0 unless told",
-             "S");
+  add_parsed(command, "--weather", request.weather, parse_weather, "clear, fair (the default), overcast, rain, fog or storm",
+             "NAME");
+  add_parsed(command, "--seconds", request.seconds, number_within(0, 1e6),
+             "Time of what moves (leaves, waves, rain), 0 unless told", "S");
   add_parsed(command, "--quality", request.quality, number_within(0.25, 4), "0.5 low, 1 medium, 2 high (the default)", "Q");
   add_import_options(command, request.landscape.import);
   add_ecosystem_options(command, request.landscape);

@@ -103,6 +103,8 @@ void EditorHost::follow_theme() {
 }
 
 bool EditorHost::take_input() {
+  // Motions come from the whole screen: read in time, or they pile up.
+  (void)pen_.pressure();
   const bool input = input_;
   input_ = false;
   return input;
@@ -141,7 +143,8 @@ bool EditorHost::should_close() {
   if (state_.wants_close) {
     state_.wants_close = false;
     input_ = true;
-    unless_recording_unsaved(state_, [this](EditorState&) { unless_unsaved(state_, [this](EditorState&) { close_agreed_ = true; }); });
+    unless_recording_unsaved(state_,
+                             [this](EditorState&) { unless_unsaved(state_, [this](EditorState&) { close_agreed_ = true; }); });
   }
   return close_agreed_ && !state_.saving.running();
 }

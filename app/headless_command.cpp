@@ -31,7 +31,7 @@ Status run_without_display(const LandscapeRequest& request, const std::string& f
   const auto context = OffscreenContext::create();
   if (!context) return fail("The maps are written, but no picture can be drawn: " + context.error().message);
   task.report("drawing", 0);
-  if (Status drawn = write_picture(*snapshot, picture); !drawn) return drawn;
+  if (Status drawn = write_picture(*snapshot, picture, task); !drawn) return drawn;
   progress.clear();
   out << "Written to " << picture.picture << std::endl;
   return {};

@@ -26,8 +26,8 @@ struct Pen::Connection {
   Display* display = nullptr;
   int extension = 0;
   Atom pressure_label = 0;
-  /// The axis that tells the pressure, by device; none where there is none.
-  std::map<int, std::optional<Axis>> axes;
+  /// The axis that tells the pressure, of the devices that have one.
+  std::map<int, Axis> axes;
   float pressure = 1;
 
   ~Connection() {
@@ -36,7 +36,8 @@ struct Pen::Connection {
   bool open();
   void read_events();
   void read_motion(const XIRawEvent& motion);
-  const std::optional<Axis>& axis_of(int device);
+  void read_devices();
+  std::optional<Axis> pressure_axis(const XIDeviceInfo& device) const;
 };
 
 bool Pen::Connection::open() {
@@ -54,28 +55,33 @@ bool Pen::Connection::open() {
   XISetMask(bits.data(), XI_HierarchyChanged);
   XIEventMask mask{XIAllDevices, int(bits.size()), bits.data()};
   XISelectEvents(display, DefaultRootWindow(display), &mask, 1);
-  XFlush(display);
+  read_devices();
   return true;
 }
 
-const std::optional<Pen::Connection::Axis>& Pen::Connection::axis_of(int device) {
-  const auto known = axes.find(device);
-  if (known != axes.end()) return known->second;
-  std::optional<Axis> found;
-  int count = 0;
-  XIDeviceInfo* info = XIQueryDevice(display, device, &count);
-  for (int i = 0; info != nullptr && count > 0 && i < info->num_classes; ++i) {
-    if (info->classes[i]->type != XIValuatorClass) continue;
-    const auto* valuator = reinterpret_cast<const XIValuatorClassInfo*>(info->classes[i]);
-    if (valuator->label == pressure_label) found = Axis{valuator->number, valuator->min, valuator->max};
+std::optional<Pen::Connection::Axis> Pen::Connection::pressure_axis(const XIDeviceInfo& device) const {
+  for (int i = 0; i < device.num_classes; ++i) {
+    if (device.classes[i]->type != XIValuatorClass) continue;
+    const auto* valuator = reinterpret_cast<const XIValuatorClassInfo*>(device.classes[i]);
+    if (valuator->label == pressure_label) return Axis{valuator->number, valuator->min, valuator->max};
   }
-  if (info != nullptr) XIFreeDeviceInfo(info);
-  return axes.emplace(device, found).first->second;
+  return std::nullopt;
+}
+
+/// All devices at once: to ask about one that has just gone is an error that ends the program.
+void Pen::Connection::read_devices() {
+  axes.clear();
+  int count = 0;
+  XIDeviceInfo* devices = XIQueryDevice(display, XIAllDevices, &count);
+  for (int i = 0; devices != nullptr && i < count; ++i) {
+    if (const auto axis = pressure_axis(devices[i])) axes[devices[i].deviceid] = *axis;
+  }
+  if (devices != nullptr) XIFreeDeviceInfo(devices);
 }
 
 void Pen::Connection::read_motion(const XIRawEvent& motion) {
-  const std::optional<Axis>& axis = axis_of(motion.sourceid);
-  if (!axis) {
+  const auto axis = axes.find(motion.sourceid);
+  if (axis == axes.end()) {
     pressure = 1;
     return;
   }
@@ -83,7 +89,7 @@ void Pen::Connection::read_motion(const XIRawEvent& motion) {
   const double* value = motion.valuators.values;
   for (int i = 0; i < motion.valuators.mask_len * 8; ++i) {
     if (!XIMaskIsSet(motion.valuators.mask, i)) continue;
-    if (i == axis->number) pressure = axis_share(*value, axis->least, axis->most);
+    if (i == axis->second.number) pressure = axis_share(*value, axis->second.least, axis->second.most);
     ++value;
   }
 }
@@ -95,7 +101,7 @@ void Pen::Connection::read_events() {
     if (event.xcookie.type != GenericEvent || event.xcookie.extension != extension) continue;
     if (!XGetEventData(display, &event.xcookie)) continue;
     if (event.xcookie.evtype == XI_RawMotion) read_motion(*static_cast<const XIRawEvent*>(event.xcookie.data));
-    if (event.xcookie.evtype == XI_HierarchyChanged) axes.clear();
+    if (event.xcookie.evtype == XI_HierarchyChanged) read_devices();
     XFreeEventData(display, &event.xcookie);
   }
 }

@@ -13,7 +13,8 @@ class Pen {
   Pen(const Pen&) = delete;
   Pen& operator=(const Pen&) = delete;
 
-  /// 0..1 as of the newest motion; 1 when what moved last has no pressure (a mouse).
+  /// 0..1 as of the newest motion; 1 when what moved last has no pressure (a mouse). To be asked every frame: it reads what
+  /// waits.
   [[nodiscard]] float pressure();
 
  private:

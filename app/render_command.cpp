@@ -22,7 +22,8 @@ namespace {
 Camera camera_of(const MapsSnapshot& snapshot, const RenderRequest& request) {
   if (!request.view) return first_view(snapshot);
   Camera camera = request.view->camera;
-  if (request.view->above_ground) camera.position.z += double(ground_height(snapshot.terrain(), camera.position.x, camera.position.y));
+  if (request.view->above_ground)
+    camera.position.z += double(ground_height(snapshot.terrain(), camera.position.x, camera.position.y));
   return camera;
 }
 
@@ -107,13 +108,13 @@ Status check_picture(const std::filesystem::path& picture) {
 
 }  // namespace
 
-Status write_picture(const std::shared_ptr<const MapsSnapshot>& snapshot, const RenderRequest& request) {
+Status write_picture(const std::shared_ptr<const MapsSnapshot>& snapshot, const RenderRequest& request, const TaskContext& task) {
   if (std::max(request.size.width, request.size.height) > largest_at_once) {
-    return make_pictures(order_of(snapshot, request, {}), {});
+    return make_pictures(order_of(snapshot, request, {}), task);
   }
   const auto picture = picture_of(snapshot, request);
   if (!picture) return tl::unexpected(picture.error());
-  return write_png(request.picture, *picture);
+  return write_png(request.picture, *picture, task);
 }
 
 Status run_render(const RenderRequest& request, std::ostream& out, std::ostream& err) {
@@ -144,7 +145,8 @@ Status run_render(const RenderRequest& request, std::ostream& out, std::ostream&
   const auto snapshot = solve(*document, nullptr, task);
   if (!snapshot) return tl::unexpected(snapshot.error());
   task.report("drawing", 0);
-  Status written = along_path ? make_pictures(order_of(*snapshot, request, std::move(*path)), task) : write_picture(*snapshot, request);
+  Status written =
+      along_path ? make_pictures(order_of(*snapshot, request, std::move(*path)), task) : write_picture(*snapshot, request, task);
   if (!written) return written;
   progress.clear();
   if (!request.landscape.quiet) out << "Written to " << request.picture << std::endl;

@@ -7,6 +7,7 @@
 
 #include "app/command_line_options.hpp"
 #include "core/base/status.hpp"
+#include "core/base/task_context.hpp"
 #include "core/pipeline/maps_snapshot.hpp"
 #include "render/weather.hpp"
 
@@ -30,7 +31,8 @@ struct RenderRequest {
 };
 
 /// Draws a computed landscape into the request's picture; needs a current OpenGL context.
-[[nodiscard]] Status write_picture(const std::shared_ptr<const MapsSnapshot>& snapshot, const RenderRequest& request);
+[[nodiscard]] Status write_picture(const std::shared_ptr<const MapsSnapshot>& snapshot, const RenderRequest& request,
+                                   const TaskContext& task = {});
 
 /// Computes a landscape and draws it in 3D into a PNG, or along a path into many or a video; needs no display.
 [[nodiscard]] Status run_render(const RenderRequest& request, std::ostream& out, std::ostream& err);

@@ -45,6 +45,7 @@ std::optional<HerdPlace> herd_place(const MapsSnapshot& maps, int plan_number, d
   if (!maps.plans || !maps.graph || !maps.web || plan_number < 0 || std::size_t(plan_number) >= maps.plans->size())
     return std::nullopt;
   const DailyPlan& plan = (*maps.plans)[std::size_t(plan_number)];
+  if (plan.level < 0 || std::size_t(plan.level) >= maps.graph->levels.size()) return std::nullopt;
   const Terrain& terrain = maps.terrain();
   const HerdState state = herd_state(plan, maps.graph->levels[std::size_t(plan.level)], hour, terrain.cell_size);
   HerdPlace place;

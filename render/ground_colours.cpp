@@ -22,8 +22,8 @@ struct Palette {
   glm::vec3 alluvium = linear(0.53F, 0.49F, 0.41F);
   glm::vec3 bed = linear(0.36F, 0.35F, 0.29F);
   glm::vec3 moist_earth = linear(0.31F, 0.26F, 0.19F);
-  glm::vec3 dry_grass = linear(0.485F, 0.455F, 0.265F);
-  glm::vec3 fresh_grass = linear(0.34F, 0.40F, 0.21F);
+  glm::vec3 dry_grass = linear(0.49F, 0.455F, 0.245F);
+  glm::vec3 fresh_grass = linear(0.33F, 0.405F, 0.17F);
   glm::vec3 winter_grass = linear(0.48F, 0.44F, 0.31F);
   glm::vec3 forest_floor = linear(0.24F, 0.20F, 0.13F);
 };
@@ -45,11 +45,11 @@ std::vector<PlantTint> plant_tints(const MapsSnapshot& snapshot, int month, cons
     if (!snapshot.cover[i] || (number < visible.size() && !visible[number])) continue;
     const PlantTraits& plant = snapshot.web->species[number].plant();
     const SeasonalFoliage foliage = seasonal_foliage(plant, month);
-    // Bare crowns have the colour of twigs.
-    const glm::vec3 twigs(0.10F, 0.088F, 0.08F);
+    // Bare crowns have the colour of twigs; the last leaves hang outside.
+    const glm::vec3 twigs(0.088F, 0.084F, 0.084F);
     const glm::vec3 leaves(foliage.colour[0], foliage.colour[1], foliage.colour[2]);
     tints.push_back(
-        {snapshot.cover[i].get(), plant.stratum, glm::mix(leaves, twigs, foliage.bare), 1 - 0.75F * foliage.bare});
+        {snapshot.cover[i].get(), plant.stratum, glm::mix(leaves, twigs, foliage.bare * foliage.bare), 1 - 0.5F * foliage.bare});
   }
   return tints;
 }
@@ -156,7 +156,7 @@ class GroundPainter {
       cell.ground = glm::mix(cell.ground, glm::vec3(meadow[0], meadow[1], meadow[2]),
                              std::min(herb_cover, 1.0F) * 0.75F * (1 - 0.85F * cell.rock));
     }
-    cell.ground = glm::mix(cell.ground, palette_.forest_floor, 0.55F * std::min(cell.canopy_cover, 1.0F));
+    cell.ground = glm::mix(cell.ground, palette_.forest_floor, (0.55F + 0.3F * winter_) * std::min(cell.canopy_cover, 1.0F));
     // Shrubs are lost from sight sooner than trees: they colour the ground, half of it their shade.
     if (shrub_cover > 0) cell.ground = glm::mix(cell.ground, shrubs / shrub_cover * 0.5F, 0.8F * std::min(shrub_cover, 1.0F));
     if (cell.canopy_cover <= 0) return;
@@ -185,9 +185,9 @@ std::array<float, 3> linear_colour(const std::array<float, 3>& srgb) {
 
 std::array<float, 3> meadow_colour(const std::array<float, 3>& leaf) {
   const float grey = 0.3F * leaf[0] + 0.55F * leaf[1] + 0.15F * leaf[2];
-  constexpr std::array<float, 3> straw{1.12F, 1.0F, 0.62F};
+  constexpr std::array<float, 3> straw{1.14F, 1.0F, 0.52F};
   std::array<float, 3> out{};
-  for (std::size_t i = 0; i < 3; ++i) out[i] = 0.82F * (0.6F * leaf[i] + 0.4F * grey * straw[i]);
+  for (std::size_t i = 0; i < 3; ++i) out[i] = 0.80F * (0.64F * leaf[i] + 0.36F * grey * straw[i]);
   return out;
 }
 
@@ -199,7 +199,7 @@ SeasonalFoliage seasonal_foliage(const PlantTraits& plant, int month) {
   const bool herb = plant.stratum == Stratum::herb;
   // Young leaves of spring are lighter and yellower than those of late summer.
   const bool young = m == 3 || m == 4;
-  const std::array<float, 3> light = !young ? std::array<float, 3>{1, 1, 1}
+  const std::array<float, 3> light = !young                  ? std::array<float, 3>{1, 1, 1}
                                      : plant.shape.evergreen ? std::array<float, 3>{1.06F, 1.06F, 1}
                                                              : std::array<float, 3>{1.22F, 1.16F, 0.95F};
   // A crown is duller than a leaf: sky and twigs mix into it.

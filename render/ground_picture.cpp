@@ -23,7 +23,9 @@ constexpr int longest_shadow = 1024;
 constexpr int longest_currents = 1024;
 
 int stride_for(const Grid<float>& grid, int longest) {
-  return std::max(1, (std::max(grid.width(), grid.height()) + longest - 1) / longest);
+  const int wanted = (std::max(grid.width(), grid.height()) + longest - 1) / longest;
+  // A long and narrow grid keeps at least one row.
+  return std::clamp(wanted, 1, std::max(1, std::min(grid.width(), grid.height())));
 }
 
 /// How finely a picture is made: the surface of every `surface`-th cell, a texel for every `texel`-th of those.

@@ -1,7 +1,11 @@
 #include "render/image.hpp"
 
+#include <unistd.h>
+
+#include <atomic>
 #include <fstream>
 #include <memory>
+#include <string>
 #include <system_error>
 
 #if defined(__GNUC__)
@@ -32,9 +36,16 @@ struct FreePixels {
 struct FreeEncoded {
   void operator()(unsigned char* bytes) const { STBIW_FREE(bytes); }
 };
+
+/// A name beside a file that nothing else uses.
+std::filesystem::path temporary_beside(const std::filesystem::path& file) {
+  static std::atomic<unsigned> count{0};
+  const std::string suffix = std::to_string(::getpid()) + "-" + std::to_string(count.fetch_add(1));
+  return file.parent_path() / ("." + file.stem().string() + "-" + suffix + ".tmp" + file.extension().string());
+}
 }  // namespace
 
-Status write_png(const std::filesystem::path& file, const Image& image) {
+Status write_png(const std::filesystem::path& file, const Image& image, const TaskContext& task) {
   const std::size_t expected = std::size_t(image.width) * std::size_t(image.height) * 4;
   if (image.width <= 0 || image.height <= 0 || image.rgba.size() != expected) {
     return fail("Cannot write " + file.string() + ": the picture is empty.");
@@ -43,8 +54,8 @@ Status write_png(const std::filesystem::path& file, const Image& image) {
   const std::unique_ptr<unsigned char, FreeEncoded> encoded(
       stbi_write_png_to_mem(image.rgba.data(), image.width * 4, image.width, image.height, 4, &length));
   if (!encoded) return fail("Cannot write " + file.string() + ": not enough memory to encode it.");
-  std::filesystem::path temporary = file;
-  temporary += ".tmp";
+  if (task.stopped()) return fail("stopped");
+  const std::filesystem::path temporary = temporary_beside(file);
   std::error_code error;
   {
     std::ofstream out(temporary, std::ios::binary | std::ios::trunc);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/status.hpp"
+#include "core/base/task_context.hpp"
 
 namespace biotope {
 
@@ -15,8 +16,8 @@ struct Image {
   std::vector<std::uint8_t> rgba;
 };
 
-/// Writes a PNG atomically.
-[[nodiscard]] Status write_png(const std::filesystem::path& file, const Image& image);
+/// Writes a PNG atomically; nothing of it where `task` is stopped while the picture is encoded.
+[[nodiscard]] Status write_png(const std::filesystem::path& file, const Image& image, const TaskContext& task = {});
 [[nodiscard]] Result<Image> read_png(const std::filesystem::path& file);
 
 }  // namespace biotope

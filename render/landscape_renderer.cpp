@@ -112,7 +112,8 @@ void LandscapeRenderer::State::follow_ground() {
 
 /// Animals drink where water is drawn.
 void LandscapeRenderer::State::follow_animals() {
-  const bool drawn = planted && planted->lines && planted->of.snapshot->hydrology == snapshot->hydrology && same_extent(planted->terrain(), snapshot->terrain());
+  const bool drawn = planted && planted->lines && planted->of.snapshot->hydrology == snapshot->hydrology &&
+                     same_extent(planted->terrain(), snapshot->terrain());
   animals->set_world(*snapshot, drawn ? planted->lines->shore : nullptr);
 }
 
@@ -226,6 +227,8 @@ bool LandscapeRenderer::complete() const { return state_->ground_complete && sta
 const LandscapeStatistics& LandscapeRenderer::statistics() const { return state_->statistics; }
 
 std::span<const AnimalAt> LandscapeRenderer::animals() const { return state_->animals->drawn(); }
+
+const PlantPlacement& LandscapeRenderer::plants() const { return state_->plants->placement(); }
 
 std::optional<AnimalAt> LandscapeRenderer::animal(int plan, int member, double hour) {
   if (!state_->snapshot || !state_->terrain->ready()) return std::nullopt;

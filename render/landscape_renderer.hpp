@@ -13,6 +13,8 @@
 
 namespace biotope {
 
+class PlantPlacement;
+
 /// How the 3D view is drawn.
 struct LandscapeOptions {
   double hour = 10.5;  ///< local solar time
@@ -30,8 +32,8 @@ struct LandscapeOptions {
   std::vector<bool> visible_species;
   /// Brush ring on the ground: cell x, y, radius in cells.
   std::optional<glm::vec3> brush;
-  /// For pictures made in tiles: the pixel of the whole picture (which draw's width and height speak of) that is the lower left one of the
-  /// framebuffer.
+  /// For pictures made in tiles: the pixel of the whole picture (which draw's width and height speak of) that is the lower left
+  /// one of the framebuffer.
   glm::ivec2 corner{0};
 };
 
@@ -69,8 +71,10 @@ class LandscapeRenderer {
   [[nodiscard]] const LandscapeStatistics& statistics() const;
   /// The animals of the last draw(): those in the picture, as far as they can be told apart.
   [[nodiscard]] std::span<const AnimalAt> animals() const;
-  /// Where an animal is at an hour, in the picture or not: what a camera that follows it needs before it draws. Nothing when there is no such
-  /// animal, or before the first picture of the ground.
+  /// Where the plants that are drawn stand, and of which snapshot; it has no snapshot before the first picture of the ground.
+  [[nodiscard]] const PlantPlacement& plants() const;
+  /// Where an animal is at an hour, in the picture or not: what a camera that follows it needs before it draws. Nothing when
+  /// there is no such animal, or before the first picture of the ground.
   [[nodiscard]] std::optional<AnimalAt> animal(int plan, int member, double hour);
 
  private:

@@ -1,9 +1,11 @@
 #include "render/offscreen_context.hpp"
 
 #include <epoxy/egl.h>
+#include <epoxy/gl.h>
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace biotope {
@@ -34,12 +36,14 @@ std::vector<EGLDisplay> candidate_displays() {
 
 /// An OpenGL 4.5 core context of `display`, or EGL_NO_CONTEXT.
 EGLContext make_context(EGLDisplay display) {
-  constexpr std::array<EGLint, 5> config_attributes{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_DONT_CARE, EGL_NONE};
+  constexpr std::array<EGLint, 5> config_attributes{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_DONT_CARE,
+                                                    EGL_NONE};
   EGLConfig config = nullptr;
   EGLint count = 0;
   if (eglChooseConfig(display, config_attributes.data(), &config, 1, &count) != EGL_TRUE || count == 0) config = nullptr;
-  constexpr std::array<EGLint, 7> attributes{EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5,
-                                             EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+  constexpr std::array<EGLint, 7> attributes{
+      EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
   return eglCreateContext(display, config, EGL_NO_CONTEXT, attributes.data());
 }
 
@@ -62,8 +66,9 @@ Result<std::unique_ptr<OffscreenContext>> OffscreenContext::create() {
     }
     eglTerminate(display);
   }
-  return fail("No OpenGL 4.5 context without a window: EGL offers neither a surfaceless nor a device display. Install Mesa's EGL "
-              "(libegl-mesa0) or a graphics driver with EGL.");
+  return fail(
+      "No OpenGL 4.5 context without a window: EGL offers neither a surfaceless nor a device display. Install Mesa's EGL "
+      "(libegl-mesa0) or a graphics driver with EGL.");
 }
 
 OffscreenContext::~OffscreenContext() {
@@ -71,6 +76,12 @@ OffscreenContext::~OffscreenContext() {
   eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(display_, context_);
   eglTerminate(display_);
+}
+
+bool drawn_by_processor() {
+  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const std::string_view renderer = name != nullptr ? name : "";
+  return renderer.find("llvmpipe") != std::string_view::npos || renderer.find("softpipe") != std::string_view::npos;
 }
 
 }  // namespace biotope

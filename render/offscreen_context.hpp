@@ -21,6 +21,9 @@ class OffscreenContext {
   void* context_ = nullptr;
 };
 
+/// Whether a processor draws for the current context, not a graphics card.
+[[nodiscard]] bool drawn_by_processor();
+
 /// A colour + depth framebuffer one can draw into, show as a texture, and read back. Needs a current context for its whole life.
 class RenderTarget {
  public:

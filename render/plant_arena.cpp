@@ -1,6 +1,7 @@
 #include "render/plant_arena.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace biotope {
 
@@ -62,23 +63,43 @@ bool PlantArena::put(const PlantBlock& block, Resident& resident, std::uint32_t 
   return true;
 }
 
-void PlantArena::follow(const PlantBlocks& blocks, Stratum stratum, std::uint32_t most) {
+void PlantArena::evict(Places& places, Places::iterator place) {
+  slots_.give_back(place->second.run);
+  places.erase(place);
+}
+
+void PlantArena::follow(const PlantBlocks& blocks, Stratum stratum, std::uint32_t most, glm::dvec2 eye) {
   Places& places = places_[std::size_t(stratum)];
   const PlantBlocks::Map& wanted = blocks.blocks(stratum);
-  std::erase_if(places, [&](const auto& entry) {
-    if (wanted.contains(entry.first)) return false;
-    slots_.give_back(entry.second.run);
-    return true;
-  });
+  for (auto place = places.begin(); place != places.end();) {
+    const auto here = place++;
+    if (!wanted.contains(here->first)) evict(places, here);
+  }
+  const glm::dvec2 at = eye / double(PlantPlacement::block_side(stratum)) - 0.5;
+  const auto away = [&](std::pair<int, int> place) { return std::hypot(place.second - at.x, place.first - at.y); };
+  const auto nearer = [&](std::pair<int, int> a, std::pair<int, int> b) { return away(a) < away(b); };
+  std::vector<std::pair<int, int>> changed;
   for (const auto& [place, block] : wanted) {
     const auto found = places.find(place);
-    if (found != places.end() && found->second.version == block.version) continue;
-    Resident resident = found != places.end() ? found->second : Resident{};
-    if (put(block, resident, most)) {
-      places[place] = resident;
-    } else {
-      places.erase(place);
+    if (found == places.end() || found->second.version != block.version) changed.push_back(place);
+  }
+  if (changed.empty()) return;
+  std::sort(changed.begin(), changed.end(), nearer);
+  std::vector<std::pair<int, int>> evictable;
+  for (const auto& entry : places) evictable.push_back(entry.first);
+  std::sort(evictable.begin(), evictable.end(), nearer);
+  for (const auto& place : changed) {
+    Resident resident;
+    if (const auto found = places.find(place); found != places.end()) resident = found->second;
+    places.erase(place);
+    bool there = put(wanted.at(place), resident, most);
+    // What is farther away makes room.
+    while (!there && !evictable.empty() && away(evictable.back()) > away(place)) {
+      if (const auto farthest = places.find(evictable.back()); farthest != places.end()) evict(places, farthest);
+      evictable.pop_back();
+      there = put(wanted.at(place), resident, most);
     }
+    if (there) places[place] = resident;
   }
 }
 

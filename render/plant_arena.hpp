@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <map>
 #include <optional>
 #include <vector>
@@ -39,14 +41,15 @@ class PlantArena {
   using Places = std::map<std::pair<int, int>, Resident>;
 
   /// Uploads what is new or changed of the blocks of a stratum and forgets those that are gone, with at most `most` plants of all
-  /// strata. Where there is no room a block stays out.
-  void follow(const PlantBlocks& blocks, Stratum stratum, std::uint32_t most);
+  /// strata. Where there is not room for all, blocks far from the eye (metres) stay out.
+  void follow(const PlantBlocks& blocks, Stratum stratum, std::uint32_t most, glm::dvec2 eye);
   [[nodiscard]] const Places& places(Stratum stratum) const { return places_[std::size_t(stratum)]; }
   [[nodiscard]] const Buffer& buffer() const { return buffer_; }
   [[nodiscard]] std::size_t bytes() const { return std::size_t(room_) * sizeof(PlantInstance); }
 
  private:
   bool put(const PlantBlock& block, Resident& resident, std::uint32_t most);
+  void evict(Places& places, Places::iterator place);
   void make_room(std::uint32_t slots);
 
   SlotRuns slots_;

@@ -43,6 +43,8 @@ class PlantBlocks {
   /// Metres from the eye of the last build within which every block of a stratum was built at least once.
   [[nodiscard]] float whole_to(Stratum stratum) const { return whole_to_[std::size_t(stratum)]; }
   [[nodiscard]] std::size_t bytes() const;
+  /// Where the plants of the snapshot stand.
+  [[nodiscard]] const PlantPlacement& placement() const { return placement_; }
 
  private:
   [[nodiscard]] std::vector<std::pair<int, int>> missing(Stratum stratum, double x, double y, float reach) const;

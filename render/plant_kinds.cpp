@@ -23,14 +23,14 @@ glm::vec3 linear(const std::array<float, 3>& srgb) {
 /// Bark, our choice: white for birch, reddish for pines, else grey-brown.
 glm::vec3 wood_colour(const std::string& model) {
   if (model == "birch") return linear({0.80F, 0.79F, 0.75F});
-  if (model == "conifer" || model == "mountain-pine") return linear({0.44F, 0.33F, 0.26F});
-  if (model == "alder") return linear({0.36F, 0.33F, 0.29F});
-  return linear({0.40F, 0.35F, 0.30F});
+  if (model == "conifer" || model == "mountain-pine") return linear({0.47F, 0.39F, 0.33F});
+  if (model == "alder") return linear({0.46F, 0.43F, 0.385F});
+  return linear({0.49F, 0.45F, 0.40F});
 }
 
 /// Bark of the upper half: Scots pines and their like are orange there.
 glm::vec3 high_wood_colour(const PlantShape& shape) {
-  if (shape.model == "conifer" && shape.trunk_fraction > 0.25F) return linear({0.62F, 0.39F, 0.24F});
+  if (shape.model == "conifer" && shape.trunk_fraction > 0.25F) return linear({0.60F, 0.42F, 0.29F});
   return wood_colour(shape.model);
 }
 

@@ -24,8 +24,6 @@ inline constexpr int plant_models = 2;
   const float scaled = plant.tint * 61.0F;
   return int((scaled - std::floor(scaled)) * float(plant_models));
 }
-/// Most kinds of plants that are told apart; later ones look like the last.
-inline constexpr int most_plant_kinds = 256;
 
 /// While it lives, drawing goes to another framebuffer with a viewport of that size; the framebuffer and viewport of before come
 /// back with its end.

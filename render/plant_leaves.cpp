@@ -232,7 +232,7 @@ Grid<Rgba> bark(bool smooth) {
                 0.12F * lattice_noise(float(x) / 3, float(y) / 3, 0x6269726dULL);
       } else {
         const float furrow = lattice_noise(float(x) / 7, float(y) / 44, 0x6261726bULL);
-        value = 0.45F + 0.75F * std::abs(2 * furrow - 1) + 0.25F * lattice_noise(float(x) / 3, float(y) / 9, 0x6261726cULL);
+        value = 0.26F + 1.15F * std::abs(2 * furrow - 1) + 0.25F * lattice_noise(float(x) / 3, float(y) / 9, 0x6261726cULL);
       }
       picture(x, y) = {std::uint8_t(std::lround(std::clamp(128 * value, 0.0F, 255.0F))), 0, 255, 255};
     }
@@ -315,8 +315,8 @@ std::vector<Grid<Rgba>> leaf_pictures() {
   const auto set = [&](LeafPicture which, Grid<Rgba> picture) { pictures[std::size_t(which)] = std::move(picture); };
   set(LeafPicture::bark, bark(false));
   set(LeafPicture::pale_bark, bark(true));
-  set(LeafPicture::broad, leafy(250, 0.08F, 0.27F, 0.75F, 0, 1));
-  set(LeafPicture::small, leafy(290, 0.062F, 0.32F, 0.8F, 0, 2));
+  set(LeafPicture::broad, leafy(430, 0.058F, 0.30F, 0.75F, 0, 1));
+  set(LeafPicture::small, leafy(430, 0.050F, 0.33F, 0.8F, 0, 2));
   set(LeafPicture::airy, leafy(260, 0.058F, 0.36F, 0.5F, 0.5F, 10));
   set(LeafPicture::needles, needle_tufts());
   set(LeafPicture::bough, bough());

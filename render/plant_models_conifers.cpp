@@ -35,7 +35,7 @@ PlantMesh pine_mesh(const PlantShape& shape, PlantDetail detail, std::uint64_t s
   const CrownForm crown{{0, 0, 0.5F * base + 0.5F * shape.height}, {radius, radius, 0.56F * (shape.height - base)}};
   BranchingHabit habit;
   habit.outline = {0.38F, 0.12F, 0.3F};
-  habit.trunk_radius = 0.015F;
+  habit.trunk_radius = 0.0125F;
   habit.first = shape.trunk_fraction + 0.04F;
   habit.leader = 0.95F;
   habit.limbs = 16;

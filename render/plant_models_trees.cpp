@@ -25,7 +25,7 @@ struct TreeHabit {
 TreeHabit oak() {
   TreeHabit habit;
   habit.branching.outline = {0.42F, 0, 0.35F};
-  habit.branching.trunk_radius = 0.028F;
+  habit.branching.trunk_radius = 0.024F;
   habit.branching.leader = 0.72F;
   habit.branching.limbs = 11;
   habit.branching.wander = 0.13F;
@@ -66,7 +66,7 @@ TreeHabit evergreen_oak() {
   habit.branching.outline = {0.5F, 0, 0.25F};
   habit.branching.stems = 2;
   habit.branching.lean = 0.18F;
-  habit.branching.trunk_radius = 0.026F;
+  habit.branching.trunk_radius = 0.022F;
   habit.branching.first = 0.22F;
   habit.branching.leader = 0.7F;
   habit.branching.limbs = 11;
@@ -79,8 +79,8 @@ TreeHabit alder() {
   TreeHabit habit;
   habit.branching.outline = {0.34F, 0.6F, 0};
   habit.branching.stems = 3;
-  habit.branching.lean = 0.09F;
-  habit.branching.trunk_radius = 0.0095F;
+  habit.branching.lean = 0.13F;
+  habit.branching.trunk_radius = 0.0084F;
   habit.branching.leader = 0.93F;
   habit.branching.limbs = 15;
   habit.branching.twigs = 1;

@@ -26,8 +26,12 @@ constexpr float bank = 0.7F;
 constexpr float herb_bank = 3.0F;
 constexpr float tuft_spacing = 0.25F;
 /// Share of tufts and of their height where nothing of the growth is left.
-constexpr float eaten_density = 0.7F;
-constexpr float eaten_height = 0.42F;
+constexpr float eaten_density = 0.76F;
+constexpr float eaten_height = 0.38F;
+/// Share of tufts that no mouth likes: they stand as high as they grew.
+constexpr float spurned = 0.06F;
+/// Grass is higher here and lower there within some metres.
+constexpr float sward_patch = 2.6F;
 
 float cell_width(int level) { return root_side / float(1 << ((level + 1) / 2)); }
 float cell_height(int level) { return root_side / float(1 << (level / 2)); }
@@ -53,6 +57,18 @@ float even_draw(int column, int row, std::uint64_t key, float within) {
     key >>= 13;
   }
   return (float(k) + within) / 64;
+}
+
+/// Smooth noise 0..1 over the ground, in patches of `sward_patch` metres.
+float patch_noise(std::uint64_t seed, float x, float y) {
+  const float column = std::floor(x / sward_patch);
+  const float row = std::floor(y / sward_patch);
+  const auto at = [&](float dx, float dy) {
+    return draw(seed, std::uint64_t(std::int64_t(column + dx)) * 0x9e3779b97f4a7c15ULL + std::uint64_t(std::int64_t(row + dy)));
+  };
+  const float fx = glm::smoothstep(0.0F, 1.0F, x / sward_patch - column);
+  const float fy = glm::smoothstep(0.0F, 1.0F, y / sward_patch - row);
+  return glm::mix(glm::mix(at(0, 0), at(1, 0), fx), glm::mix(at(0, 1), at(1, 1), fx), fy);
 }
 
 }  // namespace
@@ -97,7 +113,7 @@ PlantInstance PlantPlacement::stand(const Kind& kind, float x, float y) const {
   plant.x = x;
   plant.y = y;
   plant.z = ground_height(snapshot_->terrain(), x, y);
-  plant.plant = float(kind.plant);
+  plant.plant = float(std::min(kind.plant, most_plant_kinds - 1));
   return plant;
 }
 
@@ -211,7 +227,8 @@ std::vector<PlantInstance> PlantPlacement::herbs(int column, int row) const {
           continue;
         }
         PlantInstance plant = stand(kind, x, y);
-        plant.scale = (0.6F + 0.75F * random(4)) * (eaten_height + (1 - eaten_height) * left);
+        const float kept = random(9) < spurned ? 1.0F : eaten_height + (1 - eaten_height) * left;
+        plant.scale = (0.6F + 0.75F * random(4)) * (0.72F + 0.56F * patch_noise(snapshot_->document.seed, x, y)) * kept;
         plant.turn = glm::two_pi<float>() * random(5);
         plant.tint = random(6);
         plant.rank = random(7);

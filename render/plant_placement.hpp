@@ -14,6 +14,8 @@ namespace biotope {
 /// Side of a block of plants, m. Trees and shrubs, and herbs in finer blocks because one sees them from near only.
 inline constexpr float woody_block_side = 64;
 inline constexpr float herb_block_side = 16;
+/// Most kinds of plants that are told apart; later ones look like the last.
+inline constexpr int most_plant_kinds = 256;
 /// No plant grows where more of the ground than this is worn by trails.
 inline constexpr float trodden_wear = 0.3F;
 

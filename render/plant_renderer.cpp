@@ -124,7 +124,7 @@ bool PlantRenderer::prepare(const PlantLook& look, const glm::dvec3& eye, const 
     if (budget.reach(stratum) > 0 && sees(stratum, budget, eye))
       complete = blocks_.build(stratum, eye.x, eye.y, budget.reach(stratum), until) && complete;
   }
-  for (const Stratum stratum : {Stratum::tree, Stratum::shrub}) arena_.follow(blocks_, stratum, budget.resident);
+  for (const Stratum stratum : {Stratum::tree, Stratum::shrub}) arena_.follow(blocks_, stratum, budget.resident, {eye.x, eye.y});
   // What was built since the last frame casts shade too.
   if (kinds_.set_visible(look.visible) || !complete || !complete_) shaded_area_ = glm::vec4(0);
   complete_ = complete;

@@ -41,6 +41,8 @@ class PlantRenderer {
 
   /// Distances over which plants give way to the ground's canopy colour, m.
   [[nodiscard]] glm::vec2 canopy_range() const { return {selection_.levels[0].far_from, selection_.levels[0].far_to}; }
+  /// Where they stand.
+  [[nodiscard]] const PlantPlacement& placement() const { return blocks_.placement(); }
   [[nodiscard]] std::size_t plants_drawn() const { return selection_.count; }
   /// Memory of instances on both sides.
   [[nodiscard]] std::size_t bytes() const { return blocks_.bytes() + arena_.bytes() + streamed_bytes_; }

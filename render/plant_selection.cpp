@@ -9,7 +9,7 @@ namespace {
 
 constexpr float reference_pixels_per_radian = 579;
 /// Levels of detail overlap while a plant is between this share of a height and all of it; the same as in plant_lod.glsl.
-constexpr float overlap = 0.86F;
+constexpr float overlap = 0.93F;
 /// A plant fades out over this share of the ranks.
 constexpr float rank_fade = 0.1F;
 /// Far plants begin to thin out at this share of the distance where none is left.
@@ -52,7 +52,7 @@ class Selector {
       const auto number = std::size_t(kind.species);
       shown_.push_back(number >= visible.size() || visible[number]);
       auto& tallest = tallest_[std::size_t(kind.stratum)];
-      tallest = std::max(tallest, 1.5F * kind.extent.height);
+      tallest = std::max(tallest, 1.7F * kind.extent.height);
       largest_radius_ = std::max(largest_radius_, 1.5F * kind.extent.radius);
     }
     out_.tuft_change = {0.7F * budget.blade_reach, budget.blade_reach};

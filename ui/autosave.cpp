@@ -44,7 +44,8 @@ struct ProcessFacts {
   std::string start;
 };
 
-/// Nothing when there is no such process. See proc(5), /proc/[pid]/stat: the name in brackets, then the state, and the start as field 22.
+/// Nothing when there is no such process. See proc(5), /proc/[pid]/stat: the name in brackets, then the state, and the start as
+/// field 22.
 std::optional<ProcessFacts> process_facts(const std::string& process) {
   std::ifstream in("/proc/" + process + "/stat");
   std::string line;
@@ -125,8 +126,8 @@ void Autosave::finish_writing(EditorState& state) {
   if (!std::exchange(told_, true)) complain(state, "Autosave does not work", written->error());
 }
 
-/// Rescued work goes from the disk once it is in this editor's own copy, or saved, or given up. Where it was thrown away, what other sessions
-/// left is offered next.
+/// Rescued work goes from the disk once it is in this editor's own copy, or saved, or given up. Where it was thrown away, what
+/// other sessions left is offered next.
 void Autosave::retire_rescued(EditorState& state) const {
   if (state.recovery_file.empty() || state.dialogs.recovery || state.loading.running()) return;
   std::error_code error;
@@ -149,16 +150,17 @@ void Autosave::retire_rescued(EditorState& state) const {
 void Autosave::start_writing(const EditorState& state) {
   written_edits_ = state.edits;
   written_stroking_ = state.painting.stroking();
-  writing_.start("Autosave", [file = file_, document = state.document, cache = cache_,
-                              views = saved_views_to_json(state.views)](const TaskContext&) -> Result<bool> {
-    // The window and the maps come first: one thread, behind the others.
-    setpriority(PRIO_PROCESS, 0, 10);
-    Status saved;
-    tbb::task_arena one_thread(1);
-    one_thread.execute([&] { saved = save_scene(file, document, cache.get(), views); });
-    if (!saved) return tl::unexpected(saved.error());
-    return true;
-  });
+  writing_.start("Autosave",
+                 [file = file_, document = state.document, cache = cache_,
+                  views = saved_views_to_json(state.views)](const TaskContext&) -> Result<bool> {
+                   // The window and the maps come first: one thread, behind the others.
+                   setpriority(PRIO_PROCESS, 0, 10);
+                   Status saved;
+                   tbb::task_arena one_thread(1);
+                   one_thread.execute([&] { saved = save_scene(file, document, cache.get(), views); });
+                   if (!saved) return tl::unexpected(saved.error());
+                   return true;
+                 });
 }
 
 void Autosave::tick(EditorState& state, double now) {

@@ -61,6 +61,8 @@ class BackgroundTask {
     shared_.reset();
     return result;
   }
+  /// Asks the work to stop and waits for nothing; it is running until its result is taken.
+  void ask_to_stop() { thread_.request_stop(); }
   /// Asks the work to stop and forgets it; waits for its thread.
   void cancel() {
     if (!shared_) return;

@@ -48,8 +48,7 @@ Camera camera_on_flight(const CameraFlight& flight) {
 }
 
 Camera view_of_place(const Terrain& terrain, const glm::dvec3& place, double distance, const Camera& before,
-                     const Clearness& clearness) {
-  constexpr double slant = 18;  // degrees that one looks down
+                     const Clearness& clearness, double slant) {
   constexpr int sides = 16;
   Camera best = before;
   double most = -1;

@@ -27,9 +27,9 @@ struct CameraFlight {
 
 /// A view of a place on the ground (metres) from `distance` metres: from the side the camera looked from before where the place
 /// can be seen from there, else from the side nearest to it that shows it. Never below the ground. `clearness`, where given, is
-/// how free the sight is from an eye, 0..1 (plants).
+/// how free the sight is from an eye, 0..1 (plants); `slant` is how many degrees one looks down on level ground.
 using Clearness = std::function<double(const glm::dvec3& eye)>;
 [[nodiscard]] Camera view_of_place(const Terrain& terrain, const glm::dvec3& place, double distance, const Camera& before,
-                                   const Clearness& clearness = {});
+                                   const Clearness& clearness = {}, double slant = 18);
 
 }  // namespace biotope

@@ -5,10 +5,11 @@
 namespace biotope {
 namespace {
 
-constexpr Limits place_limits{-1e6, 1e6};
+constexpr Limits place_limits{-1e9, 1e9};  // beyond the largest terrains
 constexpr Limits degree_limits{-360, 360};
 constexpr Limits pitch_limits{-90, 90};
 constexpr Limits field_limits{5, 120};
+constexpr double least_between_keys = 0.0085;  // s; keys are 0.01 s apart, and are written rounded to a thousandth
 
 }  // namespace
 
@@ -17,7 +18,7 @@ void write_camera(Json& json, const Camera& camera) {
   json["x"] = rounded(camera.position.x);
   json["y"] = rounded(camera.position.y);
   json["z"] = rounded(camera.position.z);
-  json["heading"] = tidy_number(camera.heading);
+  json["heading"] = tidy_number(std::fmod(camera.heading, 360.0F));
   json["pitch"] = tidy_number(camera.pitch);
   json["field"] = tidy_number(camera.vertical_field);
 }
@@ -45,7 +46,20 @@ Json path_to_json(const CameraPath& path) {
   return json;
 }
 
-Result<CameraPath> parse_path(const Json& json, const std::string& origin, bool whole) {
+namespace {
+
+/// Refuses unknown keys, or notes the first of them.
+void finish(JsonReader& reader, std::string& problem, std::string* unknown) {
+  if (!problem.empty()) return;
+  reader.finish();
+  if (unknown == nullptr) return;
+  if (unknown->empty()) *unknown = problem;
+  problem.clear();
+}
+
+}  // namespace
+
+Result<CameraPath> parse_path(const Json& json, const std::string& origin, bool whole, std::string* unknown) {
   CameraPath path;
   std::string problem;
   JsonReader reader(json, origin, problem);
@@ -60,8 +74,8 @@ Result<CameraPath> parse_path(const Json& json, const std::string& origin, bool 
       CameraKey key;
       one.number("seconds", key.seconds, {0, longest_path}, Presence::required);
       read_camera(one, key.camera);
-      one.finish();
-      if (problem.empty() && !path.keys.empty() && key.seconds < path.keys.back().seconds + 0.01) {
+      finish(one, problem, unknown);
+      if (problem.empty() && !path.keys.empty() && key.seconds < path.keys.back().seconds + least_between_keys) {
         problem = origin + ": key " + std::to_string(i + 1) + ": \"seconds\" must be more than those of the key before";
       }
       path.keys.push_back(key);
@@ -72,7 +86,7 @@ Result<CameraPath> parse_path(const Json& json, const std::string& origin, bool 
     reader.numbers("hours", hours, {0, 24});
     path.hours = hours;
   }
-  reader.finish();
+  finish(reader, problem, unknown);
   if (problem.empty() && whole && path.keys.size() < 2) problem = origin + ": \"keys\" must have at least two views";
   if (!problem.empty()) return fail(problem + ".");
   return path;

@@ -60,7 +60,7 @@ void draw_cell_menu(const UiContext& ui, int x, int y) {
   const FoodWeb* web = state.web();
   const bool chosen = web != nullptr && state.selected_species >= 0 && state.selected_species < int(web->species.size());
   const std::string name = chosen ? display_name(web->species[std::size_t(state.selected_species)]) : std::string();
-  const std::string why = chosen ? "Why here, or why not: " + name : "What is here?";
+  const std::string why = chosen ? "Why here, or why not: " + name + "   " : "What is here?";
   if (ImGui::MenuItem(why.c_str(), "Alt+click")) ask_why(state, x, y);
   if (ImGui::MenuItem(chosen ? ("Paint " + name).c_str() : "Paint", ui.commands.keys("tool.brush").c_str(), false, chosen)) {
     state.tool = Tool::add;

@@ -64,7 +64,7 @@ void draw_unsaved(const UiContext& ui) {
   }
   ImGui::PopStyleColor();
   ImGui::SameLine();
-  if (primary_button(ui.theme, "Save", width)) {
+  if (primary_button(ui.theme, "Save", width) || take_key(state, DialogKey::enter)) {
     if (state.scene_file.empty()) {
       // The file is named first; what waited runs after it has been written.
       state.dialogs.unsaved = false;
@@ -94,7 +94,7 @@ void draw_recovery(const UiContext& ui) {
     ImGui::CloseCurrentPopup();
   }
   ImGui::SameLine();
-  if (primary_button(ui.theme, "Open it", width)) {
+  if (primary_button(ui.theme, "Open it", width) || take_key(state, DialogKey::enter)) {
     open(state, state.recovery_file.string());
     state.dialogs.recovery = false;
     ImGui::CloseCurrentPopup();
@@ -199,12 +199,15 @@ void draw_settings_dialog(const UiContext& ui) {
   for (int i = 0; i < 5; ++i) {
     if (settings.scale == scales[i]) chosen = i;
   }
+  ImGui::Dummy(ImVec2(0, ui.theme.px(4)));
   ImGui::TextDisabled("Size of text and controls");
   if (segmented(ui.theme, "scale", {"Screen's", "100 %", "125 %", "150 %", "200 %"}, chosen, ImGui::GetContentRegionAvail().x)) {
     settings.scale = scales[chosen];
     state.theme_changed = true;
   }
+  ImGui::Dummy(ImVec2(0, ui.theme.px(4)));
   draw_quality_setting(ui);
+  ImGui::Dummy(ImVec2(0, ui.theme.px(4)));
   auto undo_memory = float(settings.history_megabytes);
   if (labelled_slider(ui.theme, "Memory for undo", undo_memory, 128, 8192,
                       format_bytes(std::size_t(settings.history_megabytes) << 20))) {

@@ -20,8 +20,8 @@ void draw_select_range(const UiContext& ui);
 /// Opens (once) and begins a centred modal; end with ImGui::EndPopup. `open` is the flag in OpenDialogs, cleared when the modal
 /// closes.
 bool begin_modal(const UiContext& ui, const char* title, bool& open, float width, float height = 0);
-/// The field for a file's name; it has the keyboard when the dialog opens. True when Enter accepts the dialog: pressed in the field,
-/// or anywhere but in another field (`typing`: one had the keyboard before this frame's fields were drawn).
+/// The field for a file's name; it has the keyboard when the dialog opens. True when Enter accepts the dialog: pressed in the
+/// field, or anywhere but in another field (`typing`: one had the keyboard before this frame's fields were drawn).
 bool draw_file_name(const UiContext& ui, std::string& name, bool typing);
 /// Buttons at the right edge: the caller draws `count` buttons of this width after it.
 void align_buttons(const Theme& theme, int count, float width);

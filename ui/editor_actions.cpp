@@ -66,9 +66,15 @@ void load_views(EditorState& state, const std::string& input) {
   if (std::filesystem::path(input).extension() != ".biotope") return;
   const auto text = load_scene_views(input);
   if (!text) return complain(state, "The bookmarks could not be read", text.error());
-  auto views = parse_saved_views(*text, input + ": views.json");
-  if (!views) return complain(state, "The bookmarks could not be read", views.error());
-  state.views = std::move(*views);
+  std::vector<std::string> problems;
+  state.views = read_saved_views(*text, input + ": views.json", problems);
+  if (!problems.empty()) {
+    const std::string others = problems.size() > 1 ? " (and " + std::to_string(problems.size() - 1) + " more)" : "";
+    std::string first = problems.front();
+    if (first.ends_with('.')) first.pop_back();
+    complain(state, "Not all bookmarks and views of the path could be read",
+             {first + others + ". What is in the file stays there until you change a bookmark or the path."});
+  }
   if (!state.views.path.hours) return;
   state.pictures.day_passes = true;
   state.pictures.hours = {float((*state.views.path.hours)[0]), float((*state.views.path.hours)[1])};
@@ -112,6 +118,11 @@ void finish_saving(EditorState& state) {
   if (!*saved) {
     state.saved_edits = never_saved;
     complain(state, "The scene was not saved", saved->error());
+    std::error_code error;
+    if (again || std::filesystem::exists(state.scene_file, error)) return;
+    // Nothing is there: the next save asks where to.
+    std::erase(state.settings.recent, state.scene_file.string());
+    state.scene_file.clear();
     return;
   }
   announce(state, "Saved " + state.scene_file.filename().string());

@@ -32,9 +32,10 @@ std::optional<glm::dvec3> plan_place(const EditorState& state, const DailyPlan& 
   return place ? std::optional(place->centre) : std::nullopt;
 }
 
-/// A view of a herd at a place that trees leave free, from farther away where that can be.
-Camera view_of_herd(const EditorState& state, const glm::dvec3& place) {
-  const PlantsAround plants(state.view.plants ? state.shown : nullptr, place, herd_distance + 12, state.view.visible_species);
+/// A view of a place that trees leave free: from farther away where that can be, from higher up where it must be.
+Camera clear_view(const EditorState& state, const glm::dvec3& place, double distance) {
+  constexpr double clear_enough = 0.75;
+  const PlantsAround plants(state.view.plants ? state.shown : nullptr, place, distance + 12, state.view.visible_species);
   const auto clearness = [&](const glm::dvec3& eye) {
     int free = 0;
     int looks = 0;
@@ -46,12 +47,15 @@ Camera view_of_herd(const EditorState& state, const glm::dvec3& place) {
   };
   Camera best = state.view.camera;
   double clearest = -1;
-  for (const double distance : {herd_distance, 0.6 * herd_distance, 0.35 * herd_distance}) {
-    const Camera camera = view_of_place(ground_of(state), place, distance, state.view.camera, clearness);
-    const double clear = clearness(camera.position);
-    if (clear <= clearest + 0.1) continue;
-    clearest = clear;
-    best = camera;
+  for (const double slant : {18.0, 40.0, 65.0}) {
+    for (const double share : {1.0, 0.6, 0.35}) {
+      const Camera camera = view_of_place(ground_of(state), place, distance * share, state.view.camera, clearness, slant);
+      const double clear = clearness(camera.position);
+      if (clear <= clearest + 0.1) continue;
+      clearest = clear;
+      best = camera;
+    }
+    if (clearest >= clear_enough) break;
   }
   return best;
 }
@@ -88,7 +92,7 @@ void show_place(EditorState& state, PathPoint cell, double distance) {
   state.exploring.following = false;
   const Terrain& terrain = ground_of(state);
   const glm::dvec3 place = place_of(terrain, cell) + glm::dvec3(0, 0, 1);
-  fly_to(state, view_of_place(terrain, place, distance, state.view.camera));
+  fly_to(state, clear_view(state, place, distance));
 }
 
 void set_walking(EditorState& state, bool walking) {
@@ -118,7 +122,9 @@ void walk_at(EditorState& state, PathPoint cell) {
 }
 
 bool choose_plan(EditorState& state, int plan) {
-  if (!state.shown || !state.shown->plans || !state.shown->web || plan < 0) return false;
+  if (!state.shown || !state.shown->plans || !state.shown->web) return false;
+  // A number may be of plans that were replaced meanwhile.
+  if (plan < 0 || std::size_t(plan) >= state.shown->plans->size()) return false;
   const DailyPlan& chosen = (*state.shown->plans)[std::size_t(plan)];
   auto edit = edit_of_plan(chosen, *state.shown->web, state.shown->animals);
   if (!edit) return false;
@@ -173,7 +179,7 @@ void go_to_herd(EditorState& state) {
   state.view.map.centre_y = double(cell.y);
   state.exploring.walking = false;
   state.exploring.arm.reset();
-  fly_to(state, view_of_herd(state, *place + glm::dvec3(0, 0, 1)));
+  fly_to(state, clear_view(state, *place + glm::dvec3(0, 0, 1), herd_distance));
 }
 
 void set_following(EditorState& state, bool following) {

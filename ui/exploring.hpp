@@ -63,7 +63,8 @@ void go_to_herd(EditorState& state);
 /// Flies to the chosen herd and goes along with it, or stops doing so.
 void set_following(EditorState& state, bool following);
 
-/// Once a frame, before the 3D view is drawn and after `followed` has been set: flights, the followed herd. True while the camera moves by itself.
+/// Once a frame, before the 3D view is drawn and after `followed` has been set: flights, the followed herd. True while the camera
+/// moves by itself.
 bool advance_exploring(EditorState& state, double seconds);
 /// The person moved the camera while a herd was followed: from now on it is seen from there.
 void keep_arm(EditorState& state);

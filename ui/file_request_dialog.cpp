@@ -100,7 +100,7 @@ void draw_file_request(const UiContext& ui) {
     if (browser.confirm_overwrite) {
       ImGui::TextColored(ui.theme.attention, "This file is there already. %s again to replace it.", request.action.c_str());
     } else {
-      ImGui::TextDisabled("%s", request.saving ? "The ending says which kind of file" : " ");
+      ImGui::TextDisabled("%s", request.saving && browser.endings.size() > 1 ? "The ending says which kind of file" : " ");
     }
     align_buttons(ui.theme, 2, button_width);
     cancelled = ImGui::Button("Cancel", ImVec2(ui.theme.px(button_width), 0)) || cancelled;

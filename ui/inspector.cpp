@@ -51,8 +51,10 @@ void draw_inspector(const UiContext& ui) {
   const float layers_room = layers ? layers_height(ui) : 0;
   // The brush takes what it needs, as it was drawn last, and leaves the list above room for a few lines.
   const float brush_height = !brush ? 0 : std::min(state.paint.brush_height + ui.theme.px(10), (available - layers_room) * 0.62F);
-  const float why_height = why ? std::min(ui.theme.px(230), available * 0.42F) : 0;
-  const float herd_height = herd ? std::min(ui.theme.px(400), available * 0.56F) : 0;
+  // Together they leave the list room for a few lines; each is scrolled where it is short.
+  const float most = why && herd ? 0.34F : 0.42F;
+  const float why_height = why ? std::min(ui.theme.px(230), available * most * (brush ? 0.5F : 1)) : 0;
+  const float herd_height = herd ? std::min(ui.theme.px(440), available * (why ? 0.4F : 0.56F) * (brush ? 0.5F : 1)) : 0;
   const float list_height = std::max(available - brush_height - why_height - herd_height - layers_room, ui.theme.px(80));
   ImGui::BeginChild("tab panel", ImVec2(0, list_height));
   draw_tab_panel(ui);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <string_view>
 #include <utility>
 
 #include "ui/camera_motion.hpp"
@@ -40,12 +39,6 @@ bool same_options(const LandscapeOptions& a, const LandscapeOptions& b) {
          a.visible_species == b.visible_species && a.brush == b.brush;
 }
 
-bool drawn_by_processor() {
-  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  const std::string_view renderer = name != nullptr ? name : "";
-  return renderer.find("llvmpipe") != std::string_view::npos || renderer.find("softpipe") != std::string_view::npos;
-}
-
 }  // namespace
 
 Result<std::unique_ptr<LandscapeCanvas>> LandscapeCanvas::create() {
@@ -73,11 +66,16 @@ void LandscapeCanvas::place_camera(EditorState& state) {
   }
 }
 
+bool LandscapeCanvas::draws_shown_plans(const EditorState& state) const {
+  return drawn_.snapshot && drawn_.snapshot->plans == state.shown->plans;
+}
+
 std::optional<glm::dvec3> LandscapeCanvas::followed_place(const EditorState& state) {
   const Exploring& exploring = state.exploring;
   const DailyPlan* plan = exploring.following ? chosen_plan(state) : nullptr;
   if (plan == nullptr) return std::nullopt;
-  if (exploring.member >= 0) {
+  // Numbers of animals are of the plans in the picture.
+  if (exploring.member >= 0 && draws_shown_plans(state)) {
     const auto animal = renderer_->animal(int(plan - state.shown->plans->data()), exploring.member, state.clock.hour);
     if (animal) return animal->place;
   }
@@ -222,7 +220,9 @@ void LandscapeCanvas::handle_tool(const UiContext& ui, PixelPoint canvas, bool h
   if (state.tool == Tool::select && clicked) {
     const float herd_reach = std::max(reach_at_pointer(ui, canvas) * 1.4F, float(20 / ground_of(state).cell_size));
     const PixelPoint pixel{double(io.MousePos.x - origin_.x), double(io.MousePos.y - origin_.y)};
-    click_landscape(state, {ray_through(state.view.camera, canvas, pixel), under_pointer_, herd_reach, renderer_->animals()});
+    const auto animals = draws_shown_plans(state) ? renderer_->animals() : std::span<const AnimalAt>();
+    click_landscape(state,
+                    {ray_through(state.view.camera, canvas, pixel), under_pointer_, herd_reach, animals, &renderer_->plants()});
     return;
   }
   if (!hovered || !under_pointer_) return;

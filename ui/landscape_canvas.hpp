@@ -41,6 +41,8 @@ class LandscapeCanvas {
   };
   explicit LandscapeCanvas(std::unique_ptr<LandscapeRenderer> renderer);
   void place_camera(EditorState& state);
+  /// Whether the picture is of the plans that are shown: it may be of older ones for a while.
+  [[nodiscard]] bool draws_shown_plans(const EditorState& state) const;
   /// Where the followed animal or herd is now, m.
   [[nodiscard]] std::optional<glm::dvec3> followed_place(const EditorState& state);
   /// Sets the quality of the level, measured where it is automatic.

@@ -22,6 +22,12 @@ void follow_from_here(EditorState& state) {
   state.exploring.following = true;
 }
 
+/// Plants as they are drawn; before there are any of what is shown, where they will be.
+PlantPlacement plants_of(const EditorState& state, const LandscapeClick& click) {
+  const MapsSnapshot* drawn = click.plants != nullptr ? click.plants->snapshot() : nullptr;
+  return drawn != nullptr && drawn->web == state.shown->web ? *click.plants : PlantPlacement(state.shown);
+}
+
 void choose_plant(EditorState& state, const PickedPlant& plant) {
   if (plant.species != state.selected_species) select_species(state, plant.species);
   const PathPoint cell = cell_of(ground_of(state), plant.foot);
@@ -43,7 +49,7 @@ void click_landscape(EditorState& state, const LandscapeClick& click) {
     }
   }
   if (state.view.plants) {
-    const auto plant = pick_plant(state.shown, eye, click.ray, to_ground, state.view.visible_species);
+    const auto plant = pick_plant(plants_of(state, click), eye, click.ray, to_ground, state.view.visible_species);
     if (plant) {
       choose_plant(state, *plant);
       return;
@@ -57,8 +63,8 @@ void click_landscape(EditorState& state, const LandscapeClick& click) {
     follow_from_here(state);
     return;
   }
-  const auto herb = state.view.plants && to_ground < herbs_told ? herb_at(state.shown, *click.ground, state.view.visible_species)
-                                                                : std::nullopt;
+  const bool tells_herbs = state.view.plants && to_ground < herbs_told;
+  const auto herb = tells_herbs ? herb_at(plants_of(state, click), *click.ground, state.view.visible_species) : std::nullopt;
   if (herb) {
     choose_plant(state, *herb);
     return;

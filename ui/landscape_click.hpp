@@ -5,6 +5,7 @@
 #include <span>
 
 #include "render/animal_pick.hpp"
+#include "render/plant_placement.hpp"
 #include "ui/editor_state.hpp"
 
 namespace biotope {
@@ -14,7 +15,9 @@ struct LandscapeClick {
   glm::vec3 ray{0};                  ///< from the camera
   std::optional<glm::dvec3> ground;  ///< that the ray meets, m
   float herd_reach = 0;              ///< cells around that place in which a herd counts as meant
-  std::span<const AnimalAt> drawn;   ///< animals in the picture
+  std::span<const AnimalAt> drawn;   ///< animals in the picture, of the plans that are shown
+  /// Plants in the picture; where they are of another food web than what is shown, the plants of that are meant.
+  const PlantPlacement* plants = nullptr;
 };
 
 /// An animal: its herd is chosen and followed. A plant: its species is chosen, and why it stands there is asked. The ground: why

@@ -1,12 +1,12 @@
 #include "ui/picture_export.hpp"
 
-#include <epoxy/gl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
-#include <string_view>
+#include <utility>
 
 #include "ui/camera_motion.hpp"
 #include "ui/video_encoder.hpp"
@@ -17,12 +17,6 @@ namespace {
 constexpr int software_tile = 640;  // pixels a side: a slice of a third of a second or so
 constexpr int hardware_tile = 4096;
 constexpr double path_clearance = 1.2;  // m over the ground, of cameras on a path
-
-bool drawn_by_processor() {
-  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  const std::string_view renderer = name != nullptr ? name : "";
-  return renderer.find("llvmpipe") != std::string_view::npos || renderer.find("softpipe") != std::string_view::npos;
-}
 
 Status check_folder(const std::filesystem::path& folder) {
   std::error_code error;
@@ -60,6 +54,9 @@ Status check_order(const PictureOrder& order) {
   if (!order.snapshot) return fail("There is no landscape yet.");
   if (order.width < 16 || order.height < 16 || order.width > largest_picture_side || order.height > largest_picture_side) {
     return fail("A picture has 16 to " + std::to_string(largest_picture_side) + " pixels a side.");
+  }
+  if (order.along_path() && std::int64_t(order.width) * order.height > largest_path_picture) {
+    return fail("Pictures of a path have at most " + std::to_string(largest_path_picture / 1'000'000) + " million pixels each.");
   }
   std::error_code error;
   if (!order.along_path() || order.video()) {
@@ -109,29 +106,49 @@ void PictureExporter::start(PictureOrder order) {
 
 std::filesystem::path PictureExporter::file_of(int number) const {
   if (!order_->along_path()) return order_->out;
-  return (order_->video() ? frames_folder(order_->out) : order_->out) / frame_name(number);
+  return (frames_ ? frames_->path() : order_->out) / frame_name(number);
 }
 
 void PictureExporter::end(Status status) {
-  if (order_ && order_->video()) {
-    std::error_code error;
-    std::filesystem::remove_all(frames_folder(order_->out), error);
-  }
   order_.reset();
+  frames_.reset();
   renderer_.reset();
   target_.reset();
   whole_ = {};
   result_ = std::move(status);
 }
 
+PictureExporter::~PictureExporter() { cancel(); }
+
 void PictureExporter::cancel() {
-  writing_.cancel();
   if (!order_) return;
+  if (writing_.running()) {
+    // Encoding a large picture takes seconds: it ends behind the window, and nothing of it is kept.
+    writing_.ask_to_stop();
+    given_up_ = std::exchange(writing_, {});
+  }
   end({});
   result_.reset();
 }
 
+Status PictureExporter::make_folder() {
+  if (!order_->along_path()) return {};
+  if (order_->video()) {
+    auto made = FramesFolder::make(order_->out);
+    if (!made) return tl::unexpected(made.error());
+    frames_ = std::move(*made);
+    return {};
+  }
+  std::error_code error;
+  if (!std::filesystem::is_directory(order_->out, error) && !std::filesystem::create_directory(order_->out, error)) {
+    return fail(order_->out.string() + ": cannot be made: " + error.message() + ".");
+  }
+  return {};
+}
+
 bool PictureExporter::prepare() {
+  // What was given up may still hold a large picture.
+  if (given_up_.running() && !given_up_.take()) return false;
   if (!renderer_) {
     auto made = LandscapeRenderer::create();
     if (!made) {
@@ -141,11 +158,8 @@ bool PictureExporter::prepare() {
     renderer_ = std::move(*made);
     renderer_->set_snapshot(order_->snapshot);
     target_ = std::make_unique<RenderTarget>(32, 32);
-    std::error_code error;
-    const std::filesystem::path folder = order_->video() ? frames_folder(order_->out) : order_->out;
-    if (order_->along_path() && !std::filesystem::is_directory(folder, error) &&
-        !std::filesystem::create_directory(folder, error)) {
-      end(fail(folder.string() + ": cannot be made: " + error.message() + "."));
+    if (Status made_folder = make_folder(); !made_folder) {
+      end(std::move(made_folder));
       return true;
     }
   }
@@ -189,8 +203,8 @@ bool PictureExporter::finish_picture() {
   if (!written()) return false;
   if (!order_) return true;
   auto image = std::make_shared<Image>(std::move(whole_));
-  writing_.start("Writing", [image, file = file_of(picture_)](const TaskContext&) -> Result<bool> {
-    if (Status written = write_png(file, *image); !written) return tl::unexpected(written.error());
+  writing_.start("Writing", [image, file = file_of(picture_), frames = frames_](const TaskContext& context) -> Result<bool> {
+    if (Status written = write_png(file, *image, context); !written) return tl::unexpected(written.error());
     return true;
   });
   ++picture_;
@@ -204,12 +218,12 @@ bool PictureExporter::finish_all() {
   if (order_->video() && !video_begun_) {
     video_begun_ = true;
     renderer_.reset();
-    writing_.start("Making the video",
-                   [frames = frames_folder(order_->out), out = order_->out,
-                    rate = order_->frames_a_second](const TaskContext& context) -> Result<bool> {
-                     if (Status made = encode_video(frames, rate, out, context); !made) return tl::unexpected(made.error());
-                     return true;
-                   });
+    writing_.start(
+        "Making the video",
+        [frames = frames_, out = order_->out, rate = order_->frames_a_second](const TaskContext& context) -> Result<bool> {
+          if (Status made = encode_video(frames->path(), rate, out, context); !made) return tl::unexpected(made.error());
+          return true;
+        });
     return true;
   }
   end({});

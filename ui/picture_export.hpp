@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -16,6 +17,10 @@ namespace biotope {
 
 /// Largest side of a picture, pixels.
 inline constexpr int largest_picture_side = 16384;
+/// Most pixels of each picture of a path (16384 x 8192): one is encoded while the next is drawn.
+inline constexpr std::int64_t largest_path_picture = std::int64_t(1) << 27;
+
+class FramesFolder;
 
 /// Pictures to be made of a landscape: one, or one after the other along a path.
 struct PictureOrder {
@@ -66,11 +71,17 @@ void place_tile(Image& whole, const Image& pixels, const PictureTile& tile);
 /// same current OpenGL context in every call and when it is destroyed.
 class PictureExporter {
  public:
+  PictureExporter() = default;
+  /// Gives up what is under way; waits for a file that is being written.
+  ~PictureExporter();
+  PictureExporter(const PictureExporter&) = delete;
+  PictureExporter& operator=(const PictureExporter&) = delete;
+
   /// What was under way is given up.
   void start(PictureOrder order);
   /// Works for about `seconds` (at least one slice); call until it is no longer running.
   void advance(double seconds);
-  /// Gives up; what is half-made is removed, whole pictures of a path stay.
+  /// Gives up; what is half-made is removed, whole pictures of a path stay. Does not wait for a picture that is being encoded.
   void cancel();
 
   [[nodiscard]] bool running() const { return order_.has_value(); }
@@ -86,6 +97,8 @@ class PictureExporter {
   /// False when nothing more can be done now (a file is being written).
   bool slice();
   bool prepare();
+  /// The folder of a path's pictures.
+  Status make_folder();
   void draw_tile();
   /// Whether no file is being written any more; where that failed, the order ends.
   bool written();
@@ -105,7 +118,11 @@ class PictureExporter {
   bool ground_there_ = false;  ///< the ground of the first picture is made
   bool loaded_ = false;        ///< everything of the picture under way is there
   bool video_begun_ = false;
+  /// Pictures of a video, until they are in it.
+  std::shared_ptr<const FramesFolder> frames_;
   BackgroundTask<bool> writing_;
+  /// Ends by itself; nothing of it is wanted.
+  BackgroundTask<bool> given_up_;
   std::optional<Status> result_;
 };
 

@@ -55,6 +55,14 @@ std::optional<double> hit_plant(const glm::dvec3& from, const glm::dvec3& ray, c
   return crown;
 }
 
+/// Whether a place is among a plant's leaves.
+bool in_crown(const glm::dvec3& place, const glm::dvec3& foot, const Shape& shape) {
+  const double half = std::max(0.5 * (shape.height - shape.bare), 0.05);
+  const glm::dvec3 from_centre = place - foot - glm::dvec3(0, 0, shape.bare + half);
+  const glm::dvec3 scaled = from_centre / glm::dvec3(shape.crown_radius, shape.crown_radius, half);
+  return glm::dot(scaled, scaled) < 1;
+}
+
 bool shown(const std::vector<bool>& visible, int species) {
   const auto index = std::size_t(species);
   return index >= visible.size() || visible[index];
@@ -106,16 +114,17 @@ bool PlantsAround::free(const glm::dvec3& from, const glm::dvec3& to) const {
   if (reach <= 0) return true;
   const glm::dvec3 ray = (to - from) / reach;
   return std::none_of(plants_.begin(), plants_.end(), [&](const Obstacle& plant) {
-    const auto away = hit_plant(from, ray, plant.foot, {plant.height, plant.crown_radius, plant.bare});
-    return away && *away < reach;
+    const Shape shape{plant.height, plant.crown_radius, plant.bare};
+    const auto away = hit_plant(from, ray, plant.foot, shape);
+    return in_crown(from, plant.foot, shape) || (away && *away < reach);
   });
 }
 
-std::optional<PickedPlant> pick_plant(const std::shared_ptr<const MapsSnapshot>& maps, const glm::dvec3& origin,
-                                      const glm::vec3& direction, double reach, const std::vector<bool>& visible_species) {
-  if (!maps || !has_plants(*maps)) return std::nullopt;
+std::optional<PickedPlant> pick_plant(const PlantPlacement& placement, const glm::dvec3& origin, const glm::vec3& direction,
+                                      double reach, const std::vector<bool>& visible_species) {
+  const MapsSnapshot* maps = placement.snapshot();
+  if (maps == nullptr || !has_plants(*maps)) return std::nullopt;
   const glm::dvec3 ray = glm::normalize(glm::dvec3(direction));
-  const PlantPlacement placement(maps);
   std::optional<PickedPlant> picked;
   double nearest = std::min(reach, farthest);
   for (const auto& [column, row] : blocks_along(origin, ray, nearest)) {
@@ -133,11 +142,11 @@ std::optional<PickedPlant> pick_plant(const std::shared_ptr<const MapsSnapshot>&
   return picked;
 }
 
-std::optional<PickedPlant> herb_at(const std::shared_ptr<const MapsSnapshot>& maps, const glm::dvec3& place,
+std::optional<PickedPlant> herb_at(const PlantPlacement& placement, const glm::dvec3& place,
                                    const std::vector<bool>& visible_species) {
-  if (!maps || !has_plants(*maps)) return std::nullopt;
+  const MapsSnapshot* maps = placement.snapshot();
+  if (maps == nullptr || !has_plants(*maps)) return std::nullopt;
   const auto side = double(herb_block_side);
-  const PlantPlacement placement(maps);
   std::optional<PickedPlant> picked;
   double nearest = 0.5;
   for (const PlantInstance& plant :

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/pipeline/maps_snapshot.hpp"
+#include "render/plant_placement.hpp"
 
 namespace biotope {
 
@@ -22,7 +23,7 @@ class PlantsAround {
   /// Those within about `reach` metres.
   PlantsAround(const std::shared_ptr<const MapsSnapshot>& maps, const glm::dvec3& place, double reach,
                const std::vector<bool>& visible_species = {});
-  /// Whether none of them stands between two points.
+  /// Whether none of them stands between two points, nor around the first.
   [[nodiscard]] bool free(const glm::dvec3& from, const glm::dvec3& to) const;
 
  private:
@@ -37,11 +38,11 @@ class PlantsAround {
 
 /// The tree or shrub that a ray hits first within `reach` metres: its crown and its trunk, as they are placed. Plants of species
 /// that are hidden count for nothing. Meant for a click: it places the plants along the ray, which takes a few milliseconds.
-[[nodiscard]] std::optional<PickedPlant> pick_plant(const std::shared_ptr<const MapsSnapshot>& maps, const glm::dvec3& origin,
+[[nodiscard]] std::optional<PickedPlant> pick_plant(const PlantPlacement& placement, const glm::dvec3& origin,
                                                     const glm::vec3& direction, double reach,
                                                     const std::vector<bool>& visible_species = {});
 /// The herb nearest to a place on the ground, within half a metre.
-[[nodiscard]] std::optional<PickedPlant> herb_at(const std::shared_ptr<const MapsSnapshot>& maps, const glm::dvec3& place,
+[[nodiscard]] std::optional<PickedPlant> herb_at(const PlantPlacement& placement, const glm::dvec3& place,
                                                  const std::vector<bool>& visible_species = {});
 
 }  // namespace biotope

@@ -29,7 +29,7 @@ constexpr std::array<std::pair<std::string_view, float>, 5> quality_levels{
     {{"automatic", 0.5F}, {"low", 0.5F}, {"medium", 1.0F}, {"high", 2.0F}, {"ultra", 4.0F}}};
 
 json weather_to_json(const Weather& weather) {
-  return {{"cloud", weather.cloud}, {"precipitation", weather.precipitation}, {"fog", weather.fog},
+  return {{"cloud", weather.cloud}, {"precipitation", weather.precipitation},   {"fog", weather.fog},
           {"wind", weather.wind},   {"wind_direction", weather.wind_direction}, {"snow_cover", weather.snow_cover}};
 }
 

@@ -1,13 +1,14 @@
 #include "ui/video_encoder.hpp"
 
+#include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include <csignal>
 
-#include <fcntl.h>
-#include <array>
+#include <cerrno>
+#include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -63,10 +64,16 @@ std::optional<std::filesystem::path> find_ffmpeg() {
   return std::nullopt;
 }
 
-std::filesystem::path frames_folder(const std::filesystem::path& video) {
-  std::filesystem::path folder = video;
-  folder += ".frames";
-  return folder;
+Result<std::shared_ptr<const FramesFolder>> FramesFolder::make(const std::filesystem::path& video) {
+  // mkdtemp makes a name that nothing else has: neither pictures of a person nor those of an earlier try get into the video.
+  std::string name = video.string() + ".frames-XXXXXX";
+  if (::mkdtemp(name.data()) == nullptr) return fail(name + ": cannot be made: " + std::strerror(errno) + ".");
+  return std::shared_ptr<const FramesFolder>(new FramesFolder(name));
+}
+
+FramesFolder::~FramesFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
 }
 
 Status encode_video(const std::filesystem::path& frames, double frames_a_second, const std::filesystem::path& video,

@@ -18,8 +18,11 @@ constexpr float picture_quality = 2;  // a picture to keep takes its time
 bool has_bookmark(const EditorState& state, std::size_t index) { return index < state.views.bookmarks.size(); }
 bool has_key(const EditorState& state, std::size_t index) { return index < state.views.path.keys.size(); }
 
-/// Views are no step of the history, but are saved with the scene.
-void touched(EditorState& state) { ++state.edits; }
+/// Views are no step of the history, but are saved with the scene: those there are now instead of what could not be read.
+void touched(EditorState& state) {
+  state.views.unread.clear();
+  ++state.edits;
+}
 
 void order(EditorState& state, PictureOrder wanted) {
   if (Status possible = check_order(wanted); !possible) {
@@ -78,8 +81,10 @@ void update_bookmark(EditorState& state, std::size_t index) {
 }
 
 void rename_bookmark(EditorState& state, std::size_t index, const std::string& name) {
-  if (!has_bookmark(state, index) || name.empty() || state.views.bookmarks[index].name == name) return;
-  state.views.bookmarks[index].name = name;
+  if (!has_bookmark(state, index)) return;
+  std::string fitting = clipped_name(name);
+  if (fitting.empty() || state.views.bookmarks[index].name == fitting) return;
+  state.views.bookmarks[index].name = std::move(fitting);
   touched(state);
 }
 
@@ -110,7 +115,9 @@ void set_path_key_seconds(EditorState& state, std::size_t index, double seconds)
   // Keys stay in their order, a tenth of a second apart.
   const double least = index == 0 ? 0 : keys[index - 1].seconds + 0.1;
   const double most = index + 1 < keys.size() ? keys[index + 1].seconds - 0.1 : longest_path;
-  keys[index].seconds = std::clamp(seconds, least, std::max(most, least));
+  // Between neighbours that are closer there is no other moment for it.
+  if (!(most >= least) || !std::isfinite(seconds)) return;
+  keys[index].seconds = std::clamp(seconds, least, most);
   touched(state);
 }
 
@@ -234,8 +241,9 @@ void ask_to_render_path(EditorState& state) {
 void ask_to_render_video(EditorState& state) {
   if (!state.shown || state.views.path.keys.size() < 2) return;
   if (!find_ffmpeg()) {
-    complain(state, "No video without ffmpeg",
-             {"A video is made by ffmpeg, which is not installed. Pictures ... draws the path into a folder of PNG files instead."});
+    complain(
+        state, "No video without ffmpeg",
+        {"A video is made by ffmpeg, which is not installed. Pictures ... draws the path into a folder of PNG files instead."});
     return;
   }
   ask(state, "Save the path as a video", ".mp4", file_stem(state) + ".mp4",

@@ -1,6 +1,7 @@
 #include "ui/weather_control.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "ui/format.hpp"
 #include "ui/icons.hpp"
@@ -28,7 +29,7 @@ std::string wind_text(const Weather& weather) {
   static constexpr std::array<const char*, 8> from{"north", "north-east", "east", "south-east",
                                                    "south", "south-west", "west", "north-west"};
   const int sector = int(weather.wind_direction / 45 + 0.5F) % 8;
-  return format_value(double(weather.wind), "m/s") +
+  return format_round_number(std::round(double(weather.wind) * 2) / 2) + " m/s" +
          (weather.wind < 0.2F ? "" : std::string(" from ") + from[std::size_t(sector)]);
 }
 

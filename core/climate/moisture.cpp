@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/base/parallel.hpp"
-#include "core/climate/environment.hpp"
 #include "core/climate/diffusion.hpp"
+#include "core/climate/environment.hpp"
 #include "core/climate/soil_parts.hpp"
 
 namespace biotope {

@@ -64,7 +64,8 @@ void soil_of_cells(const SoilInput& input, const Rect& cells, Grid<float>& textu
   }
 }
 
-SoilMaps estimate_soil(const Terrain& terrain, const Derivatives& derivatives, const Hydrology& hydrology, const Grid<float>& moisture) {
+SoilMaps estimate_soil(const Terrain& terrain, const Derivatives& derivatives, const Hydrology& hydrology,
+                       const Grid<float>& moisture) {
   const int width = terrain.height.width();
   const int height = terrain.height.height();
   const Grid<float> hollow = hollows(terrain);

@@ -81,7 +81,8 @@ std::vector<Packing> packings(const Document& document, const SceneManifest& man
     const auto& maps = document.given_environment.monthly[std::size_t(resource)];
     for (int month = 0; month < int(maps.size()); ++month) {
       const auto& map = maps[std::size_t(month)];
-      list.push_back({given_month_entry(resource, month), map, [map, &terrain] { return encode_floats(*map, terrain.georeference); }});
+      list.push_back(
+          {given_month_entry(resource, month), map, [map, &terrain] { return encode_floats(*map, terrain.georeference); }});
     }
   }
   if (const auto& geology = document.given_environment.geology) {
@@ -234,8 +235,7 @@ Status read_given_environment(const SceneReader& reader, const SceneManifest& ma
     for (int month = 0; month < months; ++month) {
       auto map = reader.floats(given_month_entry(resource, month));
       if (!map) return tl::unexpected(map.error());
-      document.given_environment.monthly[std::size_t(resource)].push_back(
-          std::make_shared<const Grid<float>>(std::move(*map)));
+      document.given_environment.monthly[std::size_t(resource)].push_back(std::make_shared<const Grid<float>>(std::move(*map)));
     }
   }
   if (!manifest.given_geology) return {};
@@ -250,12 +250,16 @@ Status read_given_environment(const SceneReader& reader, const SceneManifest& ma
 
 /// Nothing is saved that cannot be opened: the file that is there stays, and a person can put right what the message names.
 Status check_readable_again(const ArchiveEntries& texts) {
-  if (const auto manifest = parse_manifest(texts.at(manifest_entry), manifest_entry); !manifest) return tl::unexpected(manifest.error());
-  if (const auto climate = parse_climate(texts.at(climate_entry), climate_entry); !climate) return tl::unexpected(climate.error());
-  if (const auto species = parse_species(texts.at(species_entry), species_entry); !species) return tl::unexpected(species.error());
+  if (const auto manifest = parse_manifest(texts.at(manifest_entry), manifest_entry); !manifest)
+    return tl::unexpected(manifest.error());
+  if (const auto climate = parse_climate(texts.at(climate_entry), climate_entry); !climate)
+    return tl::unexpected(climate.error());
+  if (const auto species = parse_species(texts.at(species_entry), species_entry); !species)
+    return tl::unexpected(species.error());
   const auto text = texts.find(placements_entry);
   if (text == texts.end()) return {};
-  if (const auto placements = parse_placements_text(text->second, placements_entry); !placements) return tl::unexpected(placements.error());
+  if (const auto placements = parse_placements_text(text->second, placements_entry); !placements)
+    return tl::unexpected(placements.error());
   return {};
 }
 
@@ -263,6 +267,10 @@ Status check_readable_again(const ArchiveEntries& texts) {
 
 Status save_scene(const std::filesystem::path& file, const Document& document, SceneCache* cache, const std::string& views) {
   assert(document.terrain && document.species);
+  if (views.size() > most_view_bytes) {
+    return fail(file.string() + ": is not saved, because its bookmarks and camera path take more than " +
+                std::to_string(most_view_bytes >> 20) + " MiB.");
+  }
   SceneManifest manifest = manifest_of(document);
   const auto list = packings(document, manifest);
   std::vector<Result<SceneCache::Packed>> packed(list.size(), SceneCache::Packed());
@@ -278,7 +286,7 @@ Status save_scene(const std::filesystem::path& file, const Document& document, S
   }
   ArchiveEntries texts{{climate_entry, climate_to_json(document.climate)}, {species_entry, species_to_json(*document.species)}};
   if (manifest.has_placements) texts[placements_entry] = placements_to_json(document.placements).dump(1) + "\n";
-  if (!views.empty() && views.size() <= most_view_bytes) texts[views_entry] = views;
+  if (!views.empty()) texts[views_entry] = views;
   for (const auto& [name, text] : texts) manifest.checksums[name] = checksum(text);
   texts[manifest_entry] = manifest_to_json(manifest);
   entries.insert(texts.begin(), texts.end());

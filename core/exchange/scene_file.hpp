@@ -13,8 +13,8 @@ namespace biotope {
 /// Version of the `.biotope` format this program writes and the newest it reads.
 inline constexpr int scene_format_version = 2;
 
-/// Packed rasters of the last save, so that one whose source is the same is not packed again. One save at a time may use it. It keeps the
-/// sources alive.
+/// Packed rasters of the last save, so that one whose source is the same is not packed again. One save at a time may use it. It
+/// keeps the sources alive.
 struct SceneCache {
   struct Packed {
     std::shared_ptr<const void> source;
@@ -25,16 +25,18 @@ struct SceneCache {
   std::map<std::string, Packed> entries;
 };
 
-/// What is saved beside the document and read back as it is, such as views somebody wants to come back to (JSON); at most this long.
+/// What is saved beside the document and read back as it is, such as views somebody wants to come back to (JSON); at most this
+/// long.
 inline constexpr std::size_t most_view_bytes = std::size_t(4) << 20;
 
-/// Saves a scene: a ZIP with scene.json, climate.json, species.json, placements.json, terrain.tif, selection.tif and layers/*.tif, that any
-/// archive tool opens. Atomic, and on the disk when it returns.
-/// `views`, where not empty, becomes the entry views.json.
+/// Saves a scene: a ZIP with scene.json, climate.json, species.json, placements.json, terrain.tif, selection.tif and
+/// layers/*.tif, that any archive tool opens. Atomic, and on the disk when it returns. `views`, where not empty, becomes the
+/// entry views.json; longer than `most_view_bytes` it is an Error.
 [[nodiscard]] Status save_scene(const std::filesystem::path& file, const Document& document, SceneCache* cache = nullptr,
                                 const std::string& views = {});
 
-/// Opens a scene. A newer version, a truncated or corrupt file, a path that climbs out, an absurd size are Errors; nothing is changed.
+/// Opens a scene. A newer version, a truncated or corrupt file, a path that climbs out, an absurd size are Errors; nothing is
+/// changed.
 [[nodiscard]] Result<Document> load_scene(const std::filesystem::path& file);
 /// The views saved with a scene; empty when it has none. They are checked by who reads them.
 [[nodiscard]] Result<std::string> load_scene_views(const std::filesystem::path& file);

@@ -57,7 +57,10 @@ class BoidRun {
   /// States at `since` seconds after the checkpoint (0 .. run_seconds), between the steps by interpolation.
   void at(double since, std::vector<BoidState>& states);
   [[nodiscard]] Place origin() const { return origin_; }
-  [[nodiscard]] std::size_t bytes() const { return steps_.size() * sizeof(BoidState) * cast_->members.size(); }
+  [[nodiscard]] std::size_t bytes() const {
+    const std::size_t a_step = sizeof(std::vector<BoidState>) + sizeof(BoidState) * cast_->members.size();
+    return sizeof(BoidRun) + guides_.bytes() + steps_.size() * a_step + 2 * sizeof(HerdGuide) * cast_->members.size();
+  }
   [[nodiscard]] HerdGuides& guides() { return guides_; }
   [[nodiscard]] double step() const { return step_; }
 

@@ -62,7 +62,7 @@ struct HerdCast {
 
 [[nodiscard]] HerdCast cast_herd(std::shared_ptr<const HerdWorld> world, int plan_number, std::vector<int> predators);
 
-/// Places at a stop. `facing`: direction the herd came from or goes to.
+/// Places of the members at a stop of their plan around `centre`; at water they line up along it.
 [[nodiscard]] StopLayout lay_out_stop(const HerdCast& cast, std::size_t stop, Place centre, bool at_water);
 
 }  // namespace biotope

@@ -223,4 +223,12 @@ HerdPace HerdGuides::pace(double from, double until) const {
   return pace;
 }
 
+std::size_t HerdGuides::bytes() const {
+  std::size_t sum = track_.bytes() + hops_.capacity() * sizeof(Hop) + predators_.capacity() * sizeof(HerdCast*);
+  for (const auto* tracks : {&predator_tracks_, &followed_track_}) {
+    for (const HerdTrack& track : *tracks) sum += sizeof(HerdTrack) + track.bytes();
+  }
+  return sum;
+}
+
 }  // namespace biotope

@@ -41,7 +41,7 @@ enum class HerdPace : std::uint8_t { resting, walking, running };
 /// What the guides of a herd are computed from, over a stretch of time. Keep `cast` alive.
 class HerdGuides {
  public:
-  /// `casts_of_predators`: those within sight at any time of the stretch; null pointers are skipped.
+  /// `predators`: those within sight at any time of the stretch, none null; `followed` may be null.
   HerdGuides(const HerdCast& cast, std::vector<const HerdCast*> predators, const HerdCast* followed, double from, double until,
              double step);
 
@@ -50,6 +50,8 @@ class HerdGuides {
   [[nodiscard]] HerdMoment moment(double seconds) const { return track_.at(seconds); }
   /// The fastest that anybody of the herd goes in a stretch of time.
   [[nodiscard]] HerdPace pace(double from, double until) const;
+  /// Memory it holds besides itself.
+  [[nodiscard]] std::size_t bytes() const;
 
  private:
   struct Situation;

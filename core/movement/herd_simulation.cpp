@@ -23,6 +23,9 @@ float heading_of(Place direction) {
   return float(angle < 0 ? angle + 6.283185307179586 : angle);
 }
 
+/// A checkpoint's number within the day: what follows from it must not depend on which day it is counted from.
+int within_a_day(int checkpoint) { return (checkpoint % checkpoints_per_day + checkpoints_per_day) % checkpoints_per_day; }
+
 int checkpoint_of(double seconds) { return int(std::floor(seconds / checkpoint_seconds)); }
 
 double within_day(double hour) {
@@ -93,7 +96,7 @@ void HerdSimulation::prepare(std::span<const HerdRequest> herds, double seconds)
     wanted.push_back(plan);
     if (herds[i].boids > 0) {
       for (const int checkpoint : {checkpoint_of(seconds) - 1, checkpoint_of(seconds)}) {
-        const double start = checkpoint * checkpoint_seconds;
+        const double start = within_a_day(checkpoint) * checkpoint_seconds;
         const std::vector<int> near = predators_near(plan, start, start + run_seconds);
         others[i].insert(others[i].end(), near.begin(), near.end());
       }
@@ -111,10 +114,10 @@ void HerdSimulation::prepare(std::span<const HerdRequest> herds, double seconds)
 }
 
 BoidRun& HerdSimulation::run(Slot& slot, int checkpoint) {
-  const int number = (checkpoint % checkpoints_per_day + checkpoints_per_day) % checkpoints_per_day;
+  const int number = within_a_day(checkpoint);
   std::unique_ptr<BoidRun>& run = slot.runs[number];
   if (!run) {
-    const double start = checkpoint * checkpoint_seconds;
+    const double start = number * checkpoint_seconds;
     std::vector<std::shared_ptr<const HerdCast>> near;
     for (const int predator : predators_near(slot.cast->plan_number, start, start + run_seconds)) {
       const auto found = slot.others.find(predator);

@@ -32,6 +32,7 @@ class HerdTrack {
   HerdTrack(const HerdCast& cast, double from, double until, double step);
 
   [[nodiscard]] HerdMoment at(double seconds) const;
+  [[nodiscard]] std::size_t bytes() const { return samples_.capacity() * sizeof(Sample) + stretches_.capacity() * sizeof(Place); }
 
  private:
   struct Sample {
@@ -52,7 +53,7 @@ class HerdTrack {
   std::int64_t first_;
   std::int64_t last_;
   std::vector<Sample> samples_;
-  /// The plan's place at the beginning of each stretch of rest, from `first_stretch_` on.
+  /// The plan's place in the middle of each stretch of rest, from `first_stretch_` on.
   std::int64_t first_stretch_ = 0;
   std::vector<Place> stretches_;
 };

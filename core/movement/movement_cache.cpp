@@ -30,7 +30,8 @@ std::shared_ptr<const TravelGraph> MovementCache::graph(const Ground& ground,
     memory_.pop_back();
   }
   std::optional<KnownGraph> base;
-  if (known != graphs_.rend()) base.emplace(KnownGraph{*known->graph, known->blocks, known->regions->label, same_ground(ground, *known)});
+  if (known != graphs_.rend())
+    base.emplace(KnownGraph{*known->graph, known->blocks, known->regions->label, same_ground(ground, *known)});
   entry.graph = std::make_shared<TravelGraph>(
       build_travel_graph(ground, *regions, mobility, block, base ? &*base : nullptr, entry.blocks, std::move(memory)));
   graphs_.push_back(std::move(entry));
@@ -40,8 +41,8 @@ std::shared_ptr<const TravelGraph> MovementCache::graph(const Ground& ground,
 std::vector<char> MovementCache::same_ground(const Ground& ground, const GraphEntry& known) {
   if (known.terrain == ground.terrain && known.hydrology == ground.hydrology) return {};
   SameGround& last = same_ground_;
-  const bool asked = last.terrain[0] == known.terrain && last.terrain[1] == ground.terrain && last.hydrology[0] == known.hydrology &&
-                     last.hydrology[1] == ground.hydrology && last.block == known.block;
+  const bool asked = last.terrain[0] == known.terrain && last.terrain[1] == ground.terrain &&
+                     last.hydrology[0] == known.hydrology && last.hydrology[1] == ground.hydrology && last.block == known.block;
   if (!asked) {
     Ground before = ground;
     before.terrain = known.terrain;

@@ -378,8 +378,8 @@ TravelGraph build_travel_graph(const Ground& ground, const ConfinementRegions& r
 TravelGraph build_travel_graph(const Ground& ground, const ConfinementRegions& regions, const Mobility& mobility, int block,
                                const KnownGraph* known, TravelBlocks& blocks, Grid<std::int32_t> memory) {
   assert(block >= 1 && regions.label.rect() == ground.terrain->height.rect());
-  assert(known == nullptr || (known->label.rect() == regions.label.rect() && known->graph.block == block &&
-                              known->graph.mobility == mobility));
+  assert(known == nullptr ||
+         (known->label.rect() == regions.label.rect() && known->graph.block == block && known->graph.mobility == mobility));
   return Builder(ground, regions, mobility, block, known).build(blocks, std::move(memory));
 }
 
@@ -392,8 +392,8 @@ std::vector<char> blocks_of_same_ground(const Ground& a, const Ground& b, int bl
     for (int column = 0; column < columns; ++column) {
       const Rect rect = intersection(height.rect(), {column * block, row * block, (column + 1) * block, (row + 1) * block});
       const bool alike = (a.terrain == b.terrain || same_cells(height, b.terrain->height, rect)) &&
-                         (a.hydrology == b.hydrology || (a.hydrology && b.hydrology && same_cells(a.hydrology->water_depth,
-                                                                                                 b.hydrology->water_depth, rect)));
+                         (a.hydrology == b.hydrology ||
+                          (a.hydrology && b.hydrology && same_cells(a.hydrology->water_depth, b.hydrology->water_depth, rect)));
       same[std::size_t(row) * std::size_t(columns) + std::size_t(column)] = alike ? 1 : 0;
     }
   });

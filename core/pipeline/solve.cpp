@@ -55,12 +55,17 @@ class Run {
  private:
   using Step = Status (Run::*)();
   static std::vector<std::pair<std::string, Step>> steps() {
-    return {{"species", &Run::species},         {"ground", &Run::ground},
-            {"slopes", &Run::slopes},           {nearby_stage, &Run::nearby},
+    return {{"species", &Run::species},
+            {"ground", &Run::ground},
+            {"slopes", &Run::slopes},
+            {nearby_stage, &Run::nearby},
             {"water", &Run::water},
-            {"environment", &Run::environment}, {"plants", &Run::plants},
-            {"animals", &Run::animals},         {"travel", &Run::travel},
-            {"trails", &Run::trails},           {"daily plans", &Run::daily_plans},
+            {"environment", &Run::environment},
+            {"plants", &Run::plants},
+            {"animals", &Run::animals},
+            {"travel", &Run::travel},
+            {"trails", &Run::trails},
+            {"daily plans", &Run::daily_plans},
             {"warnings", &Run::overpainted}};
   }
 
@@ -170,8 +175,8 @@ Status Run::slopes() {
   return {};
 }
 
-/// A small change of the ground is answered around it with the water of before, so that slopes, light, temperature and plants keep up
-/// with the brush. Only shown: what it made is stale wherever the exact maps turn out to be others.
+/// A small change of the ground is answered around it with the water of before, so that slopes, light, temperature and plants
+/// keep up with the brush. Only shown: what it made is stale wherever the exact maps turn out to be others.
 Status Run::nearby() {
   maps_->plant_desired = desired(0);
   const EnvironmentInput input = environment_input();
@@ -182,7 +187,8 @@ Status Run::nearby() {
   MapsSnapshot shown = *maps_;
   shown.hydrology = stages_.water.newest();
   shown.environment = stages_.environment.maps;
-  const Status done = update_plants(stages_.plants, *biology_, shown.plant_environment(), stages_.environment.changes, {}, &near, context_);
+  const Status done =
+      update_plants(stages_.plants, *biology_, shown.plant_environment(), stages_.environment.changes, {}, &near, context_);
   if (!done) return done;
   painted_plants(shown);
   if (context_.stopped()) return fail(stopped_message);

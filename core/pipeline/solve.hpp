@@ -12,9 +12,9 @@ namespace biotope {
 /// Called with partial snapshots while a solve runs (complete == false); may be empty.
 using PublishPartial = std::function<void(std::shared_ptr<const MapsSnapshot>)>;
 
-/// What a solve leaves behind for the next one: the output of every operator beside the inputs it was made from. An operator whose inputs
-/// are the same is not run again; one that is local to tiles runs only over the tiles that differ. Holds results, never decisions: with an
-/// empty cache the answer is the same to the bit.
+/// What a solve leaves behind for the next one: the output of every operator beside the inputs it was made from. An operator
+/// whose inputs are the same is not run again; one that is local to tiles runs only over the tiles that differ. Holds results,
+/// never decisions: with an empty cache the answer is the same to the bit.
 class SolveCache {
  public:
   SolveCache();
@@ -32,8 +32,8 @@ class SolveCache {
   std::unique_ptr<Stages> stages_;
 };
 
-/// Computes everything that follows from the document, from scratch when `cache` is null. Fails with the stage's name, or with "Stopped." when the
-/// context asks; what was finished by then stays in the cache. Deterministic for any thread count.
+/// Computes everything that follows from the document, from scratch when `cache` is null. Fails with the stage's name, or with
+/// "Stopped." when the context asks; what was finished by then stays in the cache. Deterministic for any thread count.
 [[nodiscard]] Result<std::shared_ptr<const MapsSnapshot>> solve(const Document& document, SolveCache* cache = nullptr,
                                                                 const TaskContext& context = {},
                                                                 const PublishPartial& publish = {});

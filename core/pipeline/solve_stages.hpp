@@ -72,8 +72,8 @@ struct SolveCache::Stages {
   MovementCache travelled;
 };
 
-/// Brings a plant stage up to date: everything when its species changed, else only the tiles whose environment or paint did, and of those
-/// only the ones in `near` unless it is null; the others stay stale. `changes` are those of the environment's maps.
+/// Brings a plant stage up to date: everything when its species changed, else only the tiles whose environment or paint did, and
+/// of those only the ones in `near` unless it is null; the others stay stale. `changes` are those of the environment's maps.
 [[nodiscard]] Status update_plants(PlantStage& stage, const FoodWeb& web, const PlantEnvironment& environment,
                                    const ChangeLog& changes, const std::vector<double>& desired, const TileSet* near,
                                    const TaskContext& context);

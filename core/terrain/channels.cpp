@@ -64,7 +64,8 @@ void each_cell_downstream(const Grid<std::uint8_t>& receiver, const Inflow& infl
 
 /// What is less than a channel, and what is lost in standing water, is no discharge.
 void leave_channels(const HydrologyOptions& options, Hydrology& hydrology, std::size_t cell) {
-  if (hydrology.discharge[cell] < float(options.channel_discharge) || standing(hydrology.water[cell])) hydrology.discharge[cell] = 0;
+  if (hydrology.discharge[cell] < float(options.channel_discharge) || standing(hydrology.water[cell]))
+    hydrology.discharge[cell] = 0;
 }
 
 }  // namespace
@@ -79,7 +80,8 @@ Grid<std::uint32_t> mark_discharge(const Terrain& terrain, const HydrologyOption
   Grid<std::uint32_t> upstream = upstream_cells(hydrology.receiver);
   Grid<float>& discharge = hydrology.discharge;
   parallel_rows(0, discharge.height(), [&](int y) {
-    for (int x = 0; x < discharge.width(); ++x) discharge(x, y) = mean_discharge(upstream(x, y) * terrain.cell_area(), options.runoff);
+    for (int x = 0; x < discharge.width(); ++x)
+      discharge(x, y) = mean_discharge(upstream(x, y) * terrain.cell_area(), options.runoff);
   });
   for (const Inflow& inflow : options.inflows) {
     const float more = mean_discharge(inflow.catchment_area, options.runoff);
@@ -97,7 +99,8 @@ TileSet update_discharge(const Terrain& terrain, const HydrologyOptions& options
   for (const Inflow& inflow : change.inflows_before) each_cell_downstream(before.receiver, inflow, add);
   for (const Inflow& inflow : options.inflows) each_cell_downstream(water.receiver, inflow, add);
   Grid<float>& discharge = water.discharge;
-  for (const std::uint32_t cell : change.cells) discharge[cell] = mean_discharge(upstream[cell] * terrain.cell_area(), options.runoff);
+  for (const std::uint32_t cell : change.cells)
+    discharge[cell] = mean_discharge(upstream[cell] * terrain.cell_area(), options.runoff);
   for (const Inflow& inflow : options.inflows) {
     const float more = mean_discharge(inflow.catchment_area, options.runoff);
     each_cell_downstream(water.receiver, inflow, [&](std::size_t cell) { discharge[cell] += more; });

@@ -52,8 +52,13 @@ void differentiate(const Terrain& terrain, const Rect& cells, Derivatives& out) 
     const int above = std::max(y - 1, 0);
     const int below = std::min(y + 1, height - 1);
     const int rows = below - above;
-    RowStencil stencil{terrain.height.row(above), terrain.height.row(y), terrain.height.row(below), 1 / (8 * cell),
-                       rows > 0 ? 1 / (4 * cell * float(rows)) : 0.0F, rows == 2 ? bend : 0.0F, bend};
+    RowStencil stencil{terrain.height.row(above),
+                       terrain.height.row(y),
+                       terrain.height.row(below),
+                       1 / (8 * cell),
+                       rows > 0 ? 1 / (4 * cell * float(rows)) : 0.0F,
+                       rows == 2 ? bend : 0.0F,
+                       bend};
     const RowOutput row{out.east.row(y), out.north.row(y), out.slope.row(y), out.curvature.row(y)};
     const auto first_inside = std::max<std::size_t>(1, std::size_t(cells.x0));
     const auto end_inside = std::min(last, std::size_t(cells.x1));
@@ -68,7 +73,8 @@ void differentiate(const Terrain& terrain, const Rect& cells, Derivatives& out) 
 Derivatives compute_derivatives(const Terrain& terrain) {
   const int width = terrain.height.width();
   const int height = terrain.height.height();
-  Derivatives result{Grid<float>(width, height), Grid<float>(width, height), Grid<float>(width, height), Grid<float>(width, height)};
+  Derivatives result{Grid<float>(width, height), Grid<float>(width, height), Grid<float>(width, height),
+                     Grid<float>(width, height)};
   parallel_rows(0, height, [&](int y) { differentiate(terrain, {0, y, width, y + 1}, result); });
   return result;
 }

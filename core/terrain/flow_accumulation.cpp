@@ -199,8 +199,8 @@ bool CatchmentField::can_follow(double cell_area, std::span<const Inflow> inflow
   return !water_.empty() && unit_ == unit_of(water_.size(), cell_area, inflows);
 }
 
-TileSet CatchmentField::update(const FlowGround& before, const FlowGround& after, const TileSet& moved, std::span<const Inflow> inflows,
-                               Grid<float>& area) {
+TileSet CatchmentField::update(const FlowGround& before, const FlowGround& after, const TileSet& moved,
+                               std::span<const Inflow> inflows, Grid<float>& area) {
   const Grid<float>& filled = after.filled;
   FlowChange<Units> change(filled, after.receiver);
   const std::vector<std::size_t> list = moved.list();

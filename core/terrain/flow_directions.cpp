@@ -2,8 +2,8 @@
 #include <vector>
 
 #include "core/base/parallel.hpp"
-#include "core/terrain/flow_updates.hpp"
 #include "core/terrain/flow_routing.hpp"
+#include "core/terrain/flow_updates.hpp"
 #include "core/terrain/neighbours.hpp"
 #include "core/terrain/tile_changes.hpp"
 
@@ -48,15 +48,15 @@ std::uint8_t steepest_on_border(const Grid<float>& filled, int x, int y, bool in
 }
 
 /// What a cell's own surroundings say, or undecided on a flat.
-std::uint8_t steepest(const Grid<float>& filled, const Grid<std::uint8_t>& inlets, const std::array<std::ptrdiff_t, 8>& offsets, int x,
-                      int y) {
+std::uint8_t steepest(const Grid<float>& filled, const Grid<std::uint8_t>& inlets, const std::array<std::ptrdiff_t, 8>& offsets,
+                      int x, int y) {
   const bool border = x == 0 || y == 0 || x == filled.width() - 1 || y == filled.height() - 1;
   if (border) return steepest_on_border(filled, x, y, !inlets.empty() && inlets(x, y) != 0);
   return steepest_inside(&filled(x, y), offsets);
 }
 
-/// Leads flats to where they empty: breadth first from the cells that already know their way. `undecided_cells` ascend, so that the result does
-/// not depend on anything but the ground.
+/// Leads flats to where they empty: breadth first from the cells that already know their way. `undecided_cells` ascend, so that
+/// the result does not depend on anything but the ground.
 void resolve_flats(const Grid<float>& filled, const std::vector<std::uint32_t>& undecided_cells, Grid<std::uint8_t>& receiver) {
   const auto width = std::uint32_t(filled.width());
   std::vector<std::uint32_t> queue;
@@ -87,8 +87,8 @@ void resolve_flats(const Grid<float>& filled, const std::vector<std::uint32_t>& 
   for (std::size_t next = 0; next < queue.size(); ++next) spread(queue[next]);
 }
 
-/// Undecided cells of all flats that reach into the cells asked about. Flats that share a cell of their rims belong together, for its water's
-/// way into one follows from that into the other. Marks them all undecided in `receiver`.
+/// Undecided cells of all flats that reach into the cells asked about. Flats that share a cell of their rims belong together, for
+/// its water's way into one follows from that into the other. Marks them all undecided in `receiver`.
 class FlatGathering {
  public:
   FlatGathering(const Grid<float>& filled, const Grid<std::uint8_t>& inlets, Grid<std::uint8_t>& receiver)

@@ -42,9 +42,9 @@ Grid<float> coarse_heights(const Grid<float>& height, int stride) {
 
 /// A family of parallel lines that visits every cell once: step along the major axis, drift along the minor one.
 struct LineFamily {
-  bool along_x = true;   ///< major axis
-  bool ascending = true; ///< whether the sector's direction is toward greater major coordinates
-  double drift = 0;      ///< minor cells per major cell
+  bool along_x = true;    ///< major axis
+  bool ascending = true;  ///< whether the sector's direction is toward greater major coordinates
+  double drift = 0;       ///< minor cells per major cell
 };
 
 LineFamily line_family(double azimuth) {
@@ -85,7 +85,8 @@ class SectorScan {
     return family_.along_x ? y - shift_[std::size_t(x)] : x - shift_[std::size_t(y)];
   }
 
-  /// Scans a line from its far end, keeping the upper convex hull of what lies ahead; calls changed(x, y) where the tangent is another.
+  /// Scans a line from its far end, keeping the upper convex hull of what lies ahead; calls changed(x, y) where the tangent is
+  /// another.
   template <class Changed>
   void scan(int line, std::vector<HullPoint>& hull, Grid<float>& tangents, const Changed& changed) const {
     hull.resize(std::size_t(major_) + 1);
@@ -95,7 +96,8 @@ class SectorScan {
       const int n = line + shift_[std::size_t(m)];
       if (n < 0 || n >= minor_) continue;
       const std::size_t cell = family_.along_x ? height_.index(m, n) : height_.index(n, m);
-      // A line passes beside the cells' centres: its height there is between those of two cells, or a step aside would pass for a slope.
+      // A line passes beside the cells' centres: its height there is between those of two cells, or a step aside would pass for a
+      // slope.
       const float beyond = aside_[std::size_t(m)];
       const int beside = std::clamp(n + (beyond < 0 ? -1 : 1), 0, minor_ - 1);
       const float other = family_.along_x ? height_(m, beside) : height_(beside, m);

@@ -15,13 +15,12 @@ constexpr int sector_count = illumination_sectors;
 constexpr int chunk = 256;
 using ChunkValues = std::array<float, chunk>;
 
-/// Terrain blurs a shadow's edge at least this much, rad. Our choice: about four sun's radii; the time the sun takes to pass a horizon
-/// blurs it further where the sun rises or sets, while a fixed 0.13 rad (7.5 degrees) would wash out the shade of whole valleys.
+/// Terrain blurs a shadow's edge at least this much, rad. Our choice: about four sun's radii; the time the sun takes to pass a
+/// horizon blurs it further where the sun rises or sets, while a fixed 0.13 rad (7.5 degrees) would wash out the shade of whole
+/// valleys.
 constexpr double least_half_band = 0.02;
 
-double tangent_of_elevation(const SunPosition& sun) {
-  return std::tan(std::clamp(sun.elevation, -1.5, 1.5));
-}
+double tangent_of_elevation(const SunPosition& sun) { return std::tan(std::clamp(sun.elevation, -1.5, 1.5)); }
 
 /// Adds the unit vector toward the sun, times `weight`, to the sample's factors.
 void add_direction(const SunPosition& sun, double weight, SunSample& sample) {
@@ -132,8 +131,7 @@ void horizons_of_row(const Horizons& horizons, int y, int first_column, int colu
 
 }  // namespace
 
-Sunlight::Sunlight(double latitude, int width, const Horizons& horizons)
-    : left_(std::size_t(width)), share_(std::size_t(width)) {
+Sunlight::Sunlight(double latitude, int width, const Horizons& horizons) : left_(std::size_t(width)), share_(std::size_t(width)) {
   for (int month = 0; month < 12; ++month) samples_[std::size_t(month)] = day_samples(latitude, middle_day(month));
   const int columns = horizons.sectors[0].width();
   for (int x = 0; x < width; ++x) {

@@ -38,7 +38,8 @@ void gather_depression(const FilledGround& ground, std::uint32_t start, const Ma
 }
 
 /// Marks a depression as a lake if it is deep and large enough.
-void mark_lake(const Terrain& terrain, const HydrologyOptions& options, const std::vector<std::uint32_t>& cells, Hydrology& hydrology) {
+void mark_lake(const Terrain& terrain, const HydrologyOptions& options, const std::vector<std::uint32_t>& cells,
+               Hydrology& hydrology) {
   const Grid<float>& filled = hydrology.filled;
   float deepest = 0;
   for (const std::uint32_t cell : cells) deepest = std::max(deepest, filled[cell] - terrain.height[cell]);

@@ -326,7 +326,8 @@ TileSet DepressionField::update(const Grid<float>& height, const Grid<std::uint8
   return changed_tiles(asked, [&](const Rect& cells) { return raise(cells, filled); });
 }
 
-Grid<float> fill_depressions(const Grid<float>& height, const Grid<std::uint8_t>& sea, float sea_level, const Grid<std::uint8_t>& inlets) {
+Grid<float> fill_depressions(const Grid<float>& height, const Grid<std::uint8_t>& sea, float sea_level,
+                             const Grid<std::uint8_t>& inlets) {
   return DepressionField().restart(height, sea, sea_level, inlets);
 }
 

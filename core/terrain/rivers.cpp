@@ -11,8 +11,8 @@
 namespace biotope {
 namespace {
 
-/// Riffles and pools: at the same discharge and width, depth goes as slope^-0.3 (Manning's equation for a wide channel), so a stretch
-/// steeper than its surroundings is shallower. Bounds are our choice.
+/// Riffles and pools: at the same discharge and width, depth goes as slope^-0.3 (Manning's equation for a wide channel), so a
+/// stretch steeper than its surroundings is shallower. Bounds are our choice.
 constexpr float riffle_exponent = -0.3F;
 constexpr float shallowest_riffle = 0.6F;
 constexpr float deepest_pool = 1.5F;
@@ -25,7 +25,8 @@ constexpr float flooded_bank_slope = 0.25F;
 std::vector<float> distances_along(const RiverReach& reach, int width, float cell_size) {
   std::vector<float> along(reach.cells.size(), 0.0F);
   for (std::size_t i = 1; i < along.size(); ++i) {
-    const std::uint32_t step = reach.cells[i] > reach.cells[i - 1] ? reach.cells[i] - reach.cells[i - 1] : reach.cells[i - 1] - reach.cells[i];
+    const std::uint32_t step =
+        reach.cells[i] > reach.cells[i - 1] ? reach.cells[i] - reach.cells[i - 1] : reach.cells[i - 1] - reach.cells[i];
     const bool straight = step == 1 || step == std::uint32_t(width);
     along[i] = along[i - 1] + cell_size * (straight ? 1.0F : 1.41421356F);
   }

@@ -6,14 +6,15 @@
 
 namespace biotope {
 
-/// The stages of compute_hydrology that say where water stands and runs. Each writes its own fields of the result and reads those of
-/// the stages before it.
+/// The stages of compute_hydrology that say where water stands and runs. Each writes its own fields of the result and reads those
+/// of the stages before it.
 
 /// A channel narrower than this share of a cell leaves its cell dry ground with a discharge: one steps over it. Our choice.
 inline constexpr float narrowest_channel = 0.35F;
 
 /// Marks the sea and the depressions that are deep and large enough to be lakes, with their depths.
-void mark_standing_water(const Terrain& terrain, const Grid<std::uint8_t>& sea, const HydrologyOptions& options, Hydrology& hydrology);
+void mark_standing_water(const Terrain& terrain, const Grid<std::uint8_t>& sea, const HydrologyOptions& options,
+                         Hydrology& hydrology);
 
 /// Sets the mean yearly discharge (m3/s) of every cell where a channel runs, none in lakes or the sea. Returns upstream_cells.
 Grid<std::uint32_t> mark_discharge(const Terrain& terrain, const HydrologyOptions& options, Hydrology& hydrology);

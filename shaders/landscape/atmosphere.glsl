@@ -4,7 +4,9 @@
 vec3 sky_colour(vec3 direction) {
   float height = max(direction.z, 0.0);
   float low = exp2(-height * 7.0);
-  vec3 colour = mix(frame.zenith.rgb, frame.horizon.rgb, low * (1.0 - 0.2 * height));
+  // Overhead one looks through the least air: deeper and purer.
+  vec3 above = frame.zenith.rgb * mix(vec3(1.0), vec3(0.74, 0.86, 1.0), min(1.0, 1.5 * height) * frame.stars.w);
+  vec3 colour = mix(above, frame.horizon.rgb, low * (1.0 - 0.2 * height));
   // The air around the sun glows, more along the horizon when it is low.
   float toward = 0.5 + 0.5 * dot(direction, frame.sun_direction.xyz);
   float toward2 = toward * toward;
@@ -22,7 +24,9 @@ float haze(vec3 offset) {
   float from = (frame.eye.z - frame.fog.z) * falloff;
   float rise = offset.z * falloff;
   float mean_density = exp(-max(from, -1.0)) * (abs(rise) > 0.001 ? (1.0 - exp(-rise)) / rise : 1.0);
-  return 1.0 - exp(-frame.fog.x * distance_to * min(mean_density, 1.6));
+  float depth = frame.fog.x * distance_to * min(mean_density, 1.6);
+  // In clean air the middle distance keeps its contrast and only the far land pales.
+  return 1.0 - exp(-depth * (depth + 0.13) / (depth + 0.26));
 }
 
 // Colour of the haze in a direction (need not be a unit vector).
@@ -36,11 +40,11 @@ vec3 apply_haze(vec3 colour, vec3 offset, float amount) { return mix(colour, haz
 // Linear light to screen. The curve is Hejl and Burgess-Dawson's filmic one (2010), gamma included: dark tones keep their contrast
 // and lights roll off softly.
 vec3 to_screen(vec3 light) {
-  light *= frame.fall.w;
+  light *= frame.fall.w * mix(1.04, 0.95, frame.light_direction.w);
   float luminance = dot(light, vec3(0.2126, 0.7152, 0.0722));
   // At night the eye sees less colour, and what there is bluish.
   vec3 tint = mix(vec3(1.0), vec3(0.80, 0.98, 1.25), frame.light_direction.w);
-  light = max(mix(luminance * tint, light, mix(1.07, 0.58, frame.light_direction.w)), 0.0);
+  light = max(mix(luminance * tint, light, mix(1.11, 0.58, frame.light_direction.w)), 0.0);
   vec3 x = max(light * 0.92 - 0.003, 0.0);
   return (x * (6.2 * x + 0.5)) / (x * (6.2 * x + 1.7) + 0.06);
 }

@@ -27,5 +27,5 @@ void main() {
   wood_tone = mix(wood_colour, high_wood_colour, smoothstep(0.3, 0.65, position.z / kinds.form[plant].y));
   // Where leaves have fallen, twigs are left (picture 8): dark whatever the bark.
   if (bare) card.z = 8.0;
-  if (material.w > 0.5) wood_tone = min(wood_tone, vec3(0.070, 0.061, 0.055));
+  if (material.w > 0.5) wood_tone = min(wood_tone, vec3(0.098, 0.087, 0.080));
 }

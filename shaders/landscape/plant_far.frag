@@ -30,7 +30,7 @@ void main() {
   float open = surface.a / max(base.a, 0.05);
   vec3 plain = base.rgb / max(base.a, 0.05);
   float facing = dot(normal, sun);
-  float direct = max((facing + 0.22) / 1.22, 0.0) * open;
+  float direct = max((facing + 0.22) / 1.22, 0.0) * open * (0.70 + 0.30 * open);
   float through = 0.34 * back * max(0.45 - facing, 0.0) * open;
   float rise = dot(normal.yz, skyward);
   vec3 ambient = mix(frame.ambient_ground.rgb, frame.ambient_sky.rgb, 0.5 + 0.5 * rise) * (0.42 + 0.58 * open);

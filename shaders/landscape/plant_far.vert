@@ -32,6 +32,8 @@ void main() {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
     return;
   }
+  vec3 stand = own_stand(own.y);
+  height *= stand.z;
   vec3 centre = foot + vec3(0.0, 0.0, 0.5 * height);
   vec3 away = normalize(centre);
   // Not all plants change to the next view at once.
@@ -41,7 +43,7 @@ void main() {
   vec3 up = cross(right, away);
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
   float half_height = 0.5 * height * cos(elevations[view]) + radius * sin(elevations[view]);
-  vec3 offset = centre + right * corner.x * radius + up * corner.y * half_height;
+  vec3 offset = centre + right * corner.x * radius + up * corner.y * half_height + vec3(stand.xy * (0.5 + 0.5 * corner.y) * height, 0.0);
   float mirrored = own.x > 3.14159 ? -1.0 : 1.0;
   picture = vec3(vec2(corner.x * mirrored, corner.y) * 0.5 + 0.5, float((plant * 2 + own_model(own.y)) * 3 + view));
   vec3 to_light = frame.light_direction.xyz;
@@ -55,6 +57,7 @@ void main() {
   tone = vec4(own_tone(own.y) * ratio, sunny);
   bare = step(0.5, kinds.fresh[plant].w);
   snow = crown_snow(stands.z, vec3(0.0, 0.0, 1.0), plant, own.y);
-  veil = vec4(haze_colour(centre), haze(centre));
+  // Through twigs one sees what is behind them.
+  veil = vec4(haze_colour(centre), mix(haze(centre), 1.0, 0.08 * bare));
   gl_Position = frame.view_projection * vec4(offset, 1.0);
 }

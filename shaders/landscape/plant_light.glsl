@@ -9,11 +9,19 @@ vec3 own_tone(float tint) {
 // Light that a leaf or stem sends to the eye, per unit of colour. `open`: baked share of open sky; `sun`: 0 in the shadow of a mountain.
 vec3 foliage_light(vec3 normal, vec3 view, float open, float sun) {
   float facing = dot(normal, frame.light_direction.xyz);
-  float direct = max((facing + 0.22) / 1.22, 0.0) * open;
+  float direct = max((facing + 0.22) / 1.22, 0.0) * open * (0.70 + 0.30 * open);
   // Light through leaves, seen toward the sun.
-  float through = 0.34 * max(dot(view, frame.light_direction.xyz), 0.0) * max(0.45 - facing, 0.0) * open;
+  // Most of it where one looks against the light, some wherever one looks up into a crown.
+  float against = max(dot(view, frame.light_direction.xyz), 0.0);
+  float through = (0.38 * against * max(0.45 - facing, 0.0) + 0.30 * max(view.z, 0.0) * max(frame.light_direction.z, 0.0)) * (0.35 + 0.65 * open);
   // Sky light comes through from above, most where one looks up through the leaves.
   vec3 ambient = mix(frame.ambient_ground.rgb, frame.ambient_sky.rgb, 0.5 + 0.5 * normal.z) * (0.42 + 0.58 * open) +
                  frame.ambient_sky.rgb * vec3(0.22, 0.26, 0.12) * max(view.z, 0.0);
   return frame.light_colour.rgb * sun * (direct + through * vec3(1.1, 1.0, 0.5)) + ambient;
+}
+
+// How a plant stands: metres it leans aside per metre of height, and how much higher or lower it is than it is wide.
+vec3 own_stand(float tint) {
+  float way = 6.2832 * fract(tint * 91.7);
+  return vec3(0.055 * fract(tint * 43.3) * vec2(cos(way), sin(way)), 0.88 + 0.24 * fract(tint * 37.7));
 }

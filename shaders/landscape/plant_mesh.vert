@@ -39,6 +39,9 @@ void main() {
   mat2 turned = mat2(c, s, -s, c);
   vec3 at = position * stands.w;
   at.xy = turned * at.xy;
+  vec3 stand = own_stand(own.y);
+  at.z *= stand.z;
+  at.xy += stand.xy * at.z;
   at += sway(at, height, stands.xy, material.w, fract(material.z), own.y);
   vec3 offset = foot + at;
   vec3 upward = vec3(turned * normal.xy, normal.z);
@@ -60,7 +63,10 @@ void main() {
   // Where leaves have fallen, twigs are left (picture 8): dark whatever the bark.
   card = vec3(card_uv, material.x);
   if (bare) card.z = 8.0;
-  if (material.w > 0.5) wood_tone = min(wood_tone, vec3(0.070, 0.061, 0.055));
-  veil = vec4(haze_colour(offset), haze(offset));
+  if (material.w > 0.5) wood_tone = min(wood_tone, vec3(0.095, 0.083, 0.075));
+  // Twigs are thinner than the dots that show them: what is behind them shines through, the more the farther they are.
+  float thin = bare && material.w > 0.5 ? smoothstep(4.0, 45.0, length(foot)) : 0.0;
+  wood_tone *= 1.0 + 0.25 * thin;
+  veil = vec4(haze_colour(offset), mix(haze(offset), 1.0, 0.15 * thin));
   gl_Position = shown.x < shown.y ? frame.view_projection * vec4(offset, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
 }

@@ -50,7 +50,9 @@ void main() {
   vec2 uv = ground_uv(stands.xy);
   float sun = textureLod(sunlit, uv, 0.0).r * cloud_light(stands.xy, stands.z);
   vec2 shaded = (stands.xy - frame.shade_area.xy) / frame.shade_area.z;
-  if (frame.shade_area.w > 0.0) sun *= 1.0 - frame.shade_area.w * textureLod(canopy_shade, shaded, 0.0).r;
+  // Sun comes through crowns in flecks.
+  float fleck = 0.55 + 0.75 * fract(own.y * 17.3);
+  if (frame.shade_area.w > 0.0) sun *= 1.0 - min(1.0, frame.shade_area.w * fleck * textureLod(canopy_shade, shaded, 0.0).r);
   vec3 view = offset / max(distance_to, 0.1);
   float through = 0.3 * material.y * max(dot(view, frame.light_direction.xyz), 0.0);
   vec3 light = frame.light_colour.rgb * sun * (max(frame.light_direction.z, 0.0) * 0.92 + through) +
@@ -64,12 +66,13 @@ void main() {
   // As light as the sward around it on the whole, so that a meadow has no holes.
   vec3 blade = own_leaf(plant, own.y);
   const vec3 brightness = vec3(0.3, 0.55, 0.15);
-  blade *= mix(1.0, clamp(dot(ground, brightness) / max(dot(blade, brightness), 0.01), 0.5, 2.0), 0.85);
+  blade *= mix(1.0, clamp(dot(ground, brightness) / max(dot(blade, brightness), 0.01), 0.5, 2.0), 0.75);
+  blade *= sward_patch(textureLod(detail, sward_place(stands.xy), 0.0).a);
   vec3 own_colour = blade * own_tone(own.y) * (1.0 + 0.022 * (strength - 0.62 * length(frame.wind.xy)) * up);
-  vec3 leaf = mix(ground, own_colour, (0.25 + 0.4 * up) * (1.0 - 0.75 * far));
+  vec3 leaf = mix(ground, own_colour, (0.35 + 0.5 * up) * (1.0 - 0.70 * far));
   leaf = mix(leaf, snow_albedo, snow * (1.0 - 0.6 * up) * 0.9) * (1.0 - 0.25 * frame.weather.w * rain_share(stands.z));
   // Cards have their own shades from root to tip, blades only those of the vertex.
-  float shade = material.x > 0.5 ? 1.12 + 0.18 * up : 0.22 + 1.0 * material.y;
+  float shade = material.x > 0.5 ? 0.86 + 0.46 * up : 0.20 + 1.06 * material.y;
   tone = leaf * light * mix(shade, 1.0, 0.7 * far);
   flower_tone = flower_colour * light;
   card = vec3(card_uv, material.x);

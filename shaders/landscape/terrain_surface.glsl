@@ -28,11 +28,14 @@ float painted_share(float to_eye) {
   return max(smoothstep(canopy_range.x, canopy_range.y, to_eye), 1.0 - inside.x * inside.y);
 }
 
-float shade_of_crowns() {
+// `fleck` 0..1, mean one half: sun comes through crowns in flecks, and their edges are ragged.
+float shade_of_crowns(float fleck) {
   if (frame.shade_area.w <= 0.0) return 1.0;
   vec2 at = (place - frame.shade_area.xy) / frame.shade_area.z;
   vec2 edge = smoothstep(vec2(0.0), vec2(0.06), at) * (1.0 - smoothstep(vec2(0.94), vec2(1.0), at));
-  return 1.0 - frame.shade_area.w * edge.x * edge.y * texture(canopy_shade, at).r;
+  float shade = texture(canopy_shade, at).r;
+  shade = clamp(shade + (fleck - 0.5) * 1.7 * min(shade * 2.0, 1.0), 0.0, 1.0);
+  return 1.0 - frame.shade_area.w * edge.x * edge.y * shade;
 }
 
 void main() {
@@ -53,8 +56,10 @@ void main() {
   float close = exp(-to_eye * 0.0006);
   float grain = (fine.b - 0.5) * 0.55 + ((middle.b - 0.5) * 0.42 + (middle.a - 0.5) * 0.35 + (broad - 0.5) * 0.35) * close;
   // Tussocks: what keeps the middle ground from looking smooth.
-  float tussocks = texture(detail, vec2(place.x * 0.8 + place.y * 0.6, place.y * 0.8 - place.x * 0.6) * 0.12, -1.0).b - 0.5;
-  grain += tussocks * 0.5 * exp(-to_eye * 0.008) * (1.0 - rock);
+  vec4 sward = texture(detail, sward_place(place), -1.0);
+  float grassy = exp(-to_eye * 0.007) * (1.0 - rock);
+  grain += (sward.b - 0.5) * 0.75 * grassy;
+  albedo *= mix(vec3(1.0), sward_patch(sward.a), grassy);
   albedo *= 1.0 + grain;
   albedo *= mix(vec3(1.0), mix(vec3(1.10, 1.0, 0.80), vec3(0.88, 1.03, 0.98), middle.a), 0.6 * (1.0 - rock));
   // Beds of rock show as bands of height.
@@ -99,10 +104,11 @@ void main() {
   if (with_canopy || (with_water && with_detail)) canopy = texture(canopy_colours, uv, with_canopy ? 0.0 : 3.0);
   if (with_canopy) {
     vec4 clumps = texture(detail, place * 0.0052);
+    float painted = painted_share(to_eye);
     vec3 spots = crown_spots(place, (clumps.rg + middle.rg) * 13.0, to_eye / frame.eye.w);
-    crowns = crowns_seen(canopy.a, offset, ground_normal, to_eye, spots.x + 0.5 * (clumps.b - 0.5)) * canopy_range.z *
-             painted_share(to_eye);
-    vec3 leaves = canopy.rgb * canopy.rgb * (0.75 + 0.5 * clumps.b) * (1.0 + 0.7 * spots.y + 0.9 * spots.z);
+    crowns = crowns_seen(canopy.a, offset, ground_normal, to_eye, spots.x + 0.7 * (clumps.b - 0.5)) * canopy_range.z *
+             painted;
+    vec3 leaves = canopy.rgb * canopy.rgb * (0.45 + 1.0 * clumps.b) * (1.0 + 0.9 * spots.y + 1.2 * spots.z);
     if (with_detail) {
       // From high up single crowns are lost; groups of them are not.
       vec4 groups = texture(detail, place.yx * 0.0027 + 0.2);
@@ -113,6 +119,11 @@ void main() {
     leaves = mix(leaves, snow_albedo * 0.9, snow_share(height, vec3(0.0, 0.0, 1.0), clumps.b * 0.8) * 0.16);
     // Between crowns snow lies in their shade.
     snow *= (1.0 - crowns) * (1.0 - 0.55 * min(1.0, 1.6 * crowns));
+    // Aslant one looks into the shade between crowns, and the ground between them lies in it.
+    float down = clamp(-offset.z / to_eye, 0.0, 1.0);
+    down *= down;
+    leaves = mix(leaves, dot(leaves, vec3(0.3, 0.55, 0.15)) * vec3(1.22, 0.98, 0.85), 0.30) * (0.42 + 0.60 * down * down);
+    albedo *= 1.0 - vec3(1.0, 1.0, 0.8) * (0.72 - 0.50 * down * down) * min(1.0, 1.3 * canopy.a) * canopy_range.z * sqrt(painted);
     albedo = mix(albedo, leaves, crowns);
     normal.xy += (clumps.rg - 0.502) * 1.7 * crowns;
   }
@@ -121,7 +132,7 @@ void main() {
   // Wet earth is darker: water fills what scattered the light.
   albedo *= 1.0 - 0.42 * wet_ground * (1.0 - 0.6 * crowns);
 
-  float light_share = texture(sunlit, uv).r * shade_of_crowns() * clear_sky;
+  float light_share = texture(sunlit, uv).r * shade_of_crowns(mix(0.5, 0.5 * (fine.a + sward.b), grassy)) * clear_sky;
   float toward_light = max(dot(normal, frame.light_direction.xyz), 0.0);
   if (with_canopy) toward_light = mix(toward_light, crown_light(offset, to_eye, max(dot(ground_normal, frame.light_direction.xyz), 0.0)), crowns);
   vec3 light = frame.light_colour.rgb * toward_light * light_share + ambient(normal, open);

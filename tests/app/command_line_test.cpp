@@ -260,8 +260,8 @@ TEST_CASE("render flies along a path, a picture a moment") {
   std::ofstream(place.at("path.json")) << R"({"keys": [
     {"seconds": 0, "x": 200, "y": 200, "z": 400, "heading": 0, "pitch": -20},
     {"seconds": 0.3, "x": 260, "y": 220, "z": 400, "heading": 20, "pitch": -20}], "hours": [8, 12]})";
-  const Outcome flown = run({"render", place.dem(), "--path", place.at("path.json"), "--out", place.at("frames"), "--size", "64x48",
-                             "--fps", "10", "--quality", "0.5", "--quiet"});
+  const Outcome flown = run({"render", place.dem(), "--path", place.at("path.json"), "--out", place.at("frames"), "--size",
+                             "64x48", "--fps", "10", "--quality", "0.5", "--quiet"});
   if (flown.code != 0 && flown.err.find("EGL") != std::string::npos) {
     WARN("no OpenGL on this machine: " << flown.err);
     return;

@@ -61,17 +61,19 @@ void measure(LandscapeRenderer& renderer, const char* name, const Camera& camera
     (void)walk(renderer, target, camera, options, size, 5);
     const auto times = walk(renderer, target, camera, options, size, frames);
     const LandscapeStatistics& drawn = renderer.statistics();
-    std::printf("%-6s quality %.1f  p50 %6.1f  p90 %6.1f  p99 %6.1f  worst %6.1f ms  %5.1f frames/s  "
-                "%4d calls, %8zu triangles, %8zu plants, %5zu animals, %6.1f MB\n",
-                name, double(quality), share_of(times, 0.5), share_of(times, 0.9), share_of(times, 0.99), times.back(),
-                1000 / share_of(times, 0.5), drawn.draw_calls, drawn.triangles, drawn.plants, drawn.animals,
-                double(drawn.instance_bytes) / 1e6);
+    std::printf(
+        "%-6s quality %.1f  p50 %6.1f  p90 %6.1f  p99 %6.1f  worst %6.1f ms  %5.1f frames/s  "
+        "%4d calls, %8zu triangles, %8zu plants, %5zu animals, %6.1f MB\n",
+        name, double(quality), share_of(times, 0.5), share_of(times, 0.9), share_of(times, 0.99), times.back(),
+        1000 / share_of(times, 0.5), drawn.draw_calls, drawn.triangles, drawn.plants, drawn.animals,
+        double(drawn.instance_bytes) / 1e6);
     std::fflush(stdout);
   }
 }
 
 /// From a finished edit to a picture with its plants: a tree species painted away around the camera.
-void measure_edit(LandscapeRenderer& renderer, const std::shared_ptr<const MapsSnapshot>& before, const Camera& camera, Size size) {
+void measure_edit(LandscapeRenderer& renderer, const std::shared_ptr<const MapsSnapshot>& before, const Camera& camera,
+                  Size size) {
   const RenderTarget target(size.width, size.height);
   LandscapeOptions options;
   options.quality = 0.5F;
@@ -101,7 +103,8 @@ void measure_edit(LandscapeRenderer& renderer, const std::shared_ptr<const MapsS
     times.push_back(milliseconds_since(begin));
   }
   std::sort(times.begin(), times.end());
-  std::printf("edit   200 m around the camera until its picture is whole: p50 %.1f  worst %.1f ms\n", share_of(times, 0.5), times.back());
+  std::printf("edit   200 m around the camera until its picture is whole: p50 %.1f  worst %.1f ms\n", share_of(times, 0.5),
+              times.back());
 }
 
 }  // namespace

@@ -44,6 +44,11 @@ TEST_CASE("views are saved beside the document and change nothing of it") {
   REQUIRE(save_scene(folder / "b.biotope", document));
   CHECK(load_scene_views(folder / "b.biotope")->empty());
   CHECK_FALSE(load_scene_views(folder / "none.biotope"));
+  // Too long to be read again: the scene that is there stays.
+  const Status refused = save_scene(folder / "a.biotope", document, nullptr, std::string(most_view_bytes + 1, ' '));
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().message.find("bookmarks") != std::string::npos);
+  CHECK(*load_scene_views(folder / "a.biotope") == *views);
 }
 
 TEST_CASE("a plain document needs no voids, layers or given maps") {
@@ -92,8 +97,7 @@ TEST_CASE("untouched tiles of a layer take no room") {
   for (int i = 0; i < 20; ++i) layer.set(100 * i, 50 * i, {1, 0.5F});
   document.layers[{LayerKind::resource, "temperature"}] = std::make_shared<PaintLayer>(layer);
   REQUIRE(save_scene(folder / "painted.biotope", document));
-  const auto extra = std::filesystem::file_size(folder / "painted.biotope") -
-                     std::filesystem::file_size(folder / "bare.biotope");
+  const auto extra = std::filesystem::file_size(folder / "painted.biotope") - std::filesystem::file_size(folder / "bare.biotope");
   CHECK(extra < 60000);
   const auto loaded = load_scene(folder / "painted.biotope");
   REQUIRE(loaded);

@@ -57,7 +57,8 @@ std::string incremental_is_scratch(const std::vector<Step>& steps) {
   (void)solve(session.document(), &cache);
   for (const Step& step : steps) {
     session.perform(step);
-    if (step.answer == Answer::whole) (void)solve(session.document(), &cache, {}, [](const std::shared_ptr<const MapsSnapshot>&) {});
+    if (step.answer == Answer::whole)
+      (void)solve(session.document(), &cache, {}, [](const std::shared_ptr<const MapsSnapshot>&) {});
     if (step.answer == Answer::stopped) solve_and_stop(session.document(), cache, 1 + int(step.number % 29));
   }
   const auto maps = solve(session.document(), &cache);

@@ -174,7 +174,8 @@ TEST_CASE("a process number that is used again does not hide what was left under
 TEST_CASE("halves of copies go when their editor is gone") {
   const Scratch scratch;
   std::ofstream(scratch.path / ".recovery-2147483000-17-2147483000-3.tmp.biotope.Xa3f") << "x";
-  std::ofstream(scratch.path / (".recovery-" + std::to_string(getpid()) + "-1-" + std::to_string(getpid()) + "-3.tmp.biotope")) << "x";
+  std::ofstream(scratch.path / (".recovery-" + std::to_string(getpid()) + "-1-" + std::to_string(getpid()) + "-3.tmp.biotope"))
+      << "x";
   const Autosave autosave(scratch.path);
   CHECK_FALSE(std::filesystem::exists(scratch.path / ".recovery-2147483000-17-2147483000-3.tmp.biotope.Xa3f"));
   CHECK(std::distance(std::filesystem::directory_iterator(scratch.path), {}) == 1);
@@ -202,7 +203,11 @@ TEST_CASE("a save that fails leaves the work unsaved and does not go on with wha
   CHECK(state.dirty());
   CHECK_FALSE(went_on);
   CHECK(state.messages.size() == 1);
+  // A name under which nothing came to be is not kept: saving asks again.
+  CHECK(state.scene_file.empty());
+  CHECK(state.settings.recent.empty());
   save_to(scratch.path / "a.biotope");
+  CHECK(state.scene_file == scratch.path / "a.biotope");
   CHECK_FALSE(state.dirty());
   CHECK(went_on);
   CHECK(load_scene(scratch.path / "a.biotope"));

@@ -129,20 +129,79 @@ TEST_CASE("bookmarks and path survive being saved") {
   views.bookmarks = {{"The ford \"at dawn\"", camera(12.3456, -7, 88, 271.5F), 5.25, 0},
                      {"Überblick", camera(0, 0, 900, 0), 12, 11}};
   views.path = bend();
-  const auto read = parse_saved_views(saved_views_to_json(views), "views.json");
-  REQUIRE(read);
-  REQUIRE(read->bookmarks.size() == 2);
-  CHECK(read->bookmarks[0].name == views.bookmarks[0].name);
-  CHECK(read->bookmarks[0].hour == 5.25);
-  CHECK(read->bookmarks[0].month == 0);
-  CHECK(read->bookmarks[0].camera.heading == 271.5F);
-  CHECK(glm::length(read->bookmarks[0].camera.position - views.bookmarks[0].camera.position) < 1e-3);
-  CHECK(read->bookmarks[1].name == "Überblick");
-  CHECK(read->bookmarks[1].month == 11);
-  CHECK(read->path.keys.size() == 3);
-  CHECK_FALSE(parse_saved_views(R"({"bookmarks": [{"name": ""}]})", "views.json"));
-  CHECK_FALSE(parse_saved_views(R"({"bokmarks": []})", "views.json"));
-  CHECK(parse_saved_views("", "views.json")->empty());
+  std::vector<std::string> problems;
+  const SavedViews read = read_saved_views(saved_views_to_json(views), "views.json", problems);
+  CHECK(problems.empty());
+  CHECK(read.unread.empty());
+  REQUIRE(read.bookmarks.size() == 2);
+  CHECK(read.bookmarks[0].name == views.bookmarks[0].name);
+  CHECK(read.bookmarks[0].hour == 5.25);
+  CHECK(read.bookmarks[0].month == 0);
+  CHECK(read.bookmarks[0].camera.heading == 271.5F);
+  CHECK(glm::length(read.bookmarks[0].camera.position - views.bookmarks[0].camera.position) < 1e-3);
+  CHECK(read.bookmarks[1].name == "Überblick");
+  CHECK(read.bookmarks[1].month == 11);
+  CHECK(read.path.keys.size() == 3);
+  CHECK(read_saved_views("", "views.json", problems).empty());
+  CHECK(problems.empty());
+}
+
+TEST_CASE("a bookmark that makes no sense takes no other with it, and its text stays") {
+  const std::string good = R"({"name": "Ford", "x": 1, "y": 2, "z": 3, "heading": 0, "pitch": 0})";
+  const std::string newer = R"({"name": "Newer", "x": 1, "y": 2, "z": 3, "heading": 0, "pitch": 0, "lens": "wide"})";
+  struct Damaged {
+    std::string text;
+    std::size_t bookmarks;
+    std::string says;
+  };
+  for (const Damaged& damaged :
+       {Damaged{"{", 0, "not valid JSON"}, Damaged{R"({"bokmarks": []})", 0, "bokmarks"},
+        Damaged{R"({"bookmarks": 7})", 0, "a list"}, Damaged{R"({"bookmarks": [{"name": ""}, )" + good + "]}", 1, "bookmark 1"},
+        Damaged{R"({"bookmarks": [)" + newer + ", " + good + "]}", 2, "lens"},
+        Damaged{R"({"bookmarks": [)" + good + R"(], "path": {"keys": 3}})", 1, "path"},
+        Damaged{R"({"bookmarks": [)" + good + R"(], "weathers": {}})", 1, "weathers"}}) {
+    CAPTURE(damaged.text);
+    std::vector<std::string> problems;
+    const SavedViews read = read_saved_views(damaged.text, "views.json", problems);
+    CHECK(read.bookmarks.size() == damaged.bookmarks);
+    REQUIRE(problems.size() == 1);
+    CHECK(problems[0].find("views.json") == 0);
+    CHECK(problems[0].find(damaged.says) != std::string::npos);
+    CHECK(saved_views_to_json(read) == damaged.text);
+  }
+}
+
+TEST_CASE("a path of a newer version is read without what is not known of it") {
+  const std::string view = R"("x": 1, "y": 2, "z": 3, "heading": 0, "pitch": 0)";
+  std::vector<std::string> problems;
+  const SavedViews read = read_saved_views(
+      R"({"path": {"ease": 1, "keys": [{"seconds": 0, "roll": 4, )" + view + R"(}, {"seconds": 2, )" + view + "}]}}",
+      "views.json", problems);
+  CHECK(read.path.keys.size() == 2);
+  CHECK(problems.size() == 1);
+  CHECK_FALSE(read.unread.empty());
+}
+
+TEST_CASE("views high over the largest terrains and keys that are close to each other read back") {
+  SavedViews views;
+  views.bookmarks = {{"Far", camera(4e6, -2e6, 3e6, -725), 12, 0}};
+  for (int i = 0; i < 40; ++i) views.path.keys.push_back({0.01 * i + 0.0004, camera(i, 0, 10, 0)});
+  std::vector<std::string> problems;
+  const SavedViews read = read_saved_views(saved_views_to_json(views), "views.json", problems);
+  CHECK(problems.empty());
+  REQUIRE(read.bookmarks.size() == 1);
+  CHECK(read.bookmarks[0].camera.position.x == 4e6);
+  CHECK(read.path.keys.size() == 40);
+}
+
+TEST_CASE("a long name is cut between two characters") {
+  CHECK(clipped_name("Ford") == "Ford");
+  CHECK(clipped_name(std::string(300, 'a')).size() == most_name_bytes);
+  std::string umlauts = "x";
+  for (int i = 0; i < 150; ++i) umlauts += "ü";
+  const std::string cut = clipped_name(umlauts);
+  CHECK(cut.size() == most_name_bytes - 1);
+  CHECK(umlauts.starts_with(cut));
 }
 
 TEST_CASE("a new bookmark gets a name that none has") {

@@ -3,9 +3,12 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "render/animal_pick.hpp"
 #include "render/plant_placement.hpp"
 #include "tests/render/sample_plants.hpp"
 #include "tests/ui/small_landscape.hpp"
+#include "ui/camera_flight.hpp"
+#include "ui/camera_motion.hpp"
 #include "ui/commands.hpp"
 #include "ui/exploring.hpp"
 #include "ui/gamepad.hpp"
@@ -101,6 +104,22 @@ TEST_CASE("next and previous go through a species' herds and come around") {
   CHECK(neighbouring_plan(state, 1) == -1);
 }
 
+TEST_CASE("a plan that is not there, or on a level that is not, is neither chosen nor placed") {
+  EditorState state;
+  const auto maps = with_herds();
+  state.shown = maps;
+  state.document = maps->document;
+  CHECK_FALSE(choose_plan(state, -1));
+  CHECK_FALSE(choose_plan(state, 2));
+  CHECK_FALSE(choose_plan(state, 1000000));
+  CHECK_FALSE(state.herd_day.herd);
+  auto plans = std::make_shared<std::vector<DailyPlan>>(*maps->plans);
+  plans->front().level = 9;
+  maps->plans = plans;
+  CHECK_FALSE(herd_place(*maps, 0, 12));
+  CHECK_FALSE(herd_place(*maps, 2, 12));
+}
+
 TEST_CASE("the grass is shown where it grows") {
   const auto maps = small_landscape();
   CHECK_FALSE(good_place_of_plant(*maps, 1, {0, 0}));
@@ -121,16 +140,50 @@ TEST_CASE("a click on a trunk finds its tree, one beside it none") {
       *std::max_element(trees.begin(), trees.end(), [](const auto& a, const auto& b) { return a.scale < b.scale; });
   const glm::dvec3 foot(double(tree.x), double(tree.y), double(tree.z));
   // From right above there is nothing else in the way.
-  const auto hit = pick_plant(maps, foot + glm::dvec3(0.05, 0, 60), {0, 0, -1}, 60);
+  const auto hit = pick_plant(placement, foot + glm::dvec3(0.05, 0, 60), {0, 0, -1}, 60);
   REQUIRE(hit);
   CHECK(glm::length(hit->foot - foot) < 0.01);
   CHECK(hit->species == maps->web->levels[0][std::size_t(tree.plant)]);
-  CHECK_FALSE(pick_plant(maps, foot + glm::dvec3(0, 0, 60), {0, 0, 1}, 60));
-  CHECK_FALSE(pick_plant(maps, foot + glm::dvec3(0.05, 0, 60), {0, 0, -1}, 20));
+  CHECK_FALSE(pick_plant(placement, foot + glm::dvec3(0, 0, 60), {0, 0, 1}, 60));
+  CHECK_FALSE(pick_plant(placement, foot + glm::dvec3(0.05, 0, 60), {0, 0, -1}, 20));
   std::vector<bool> hidden(maps->web->species.size(), true);
   hidden[std::size_t(hit->species)] = false;
-  const auto other = pick_plant(maps, foot + glm::dvec3(0.05, 0, 60), {0, 0, -1}, 60, hidden);
+  const auto other = pick_plant(placement, foot + glm::dvec3(0.05, 0, 60), {0, 0, -1}, 60, hidden);
   CHECK((!other || other->species != hit->species));
+}
+
+TEST_CASE("an eye among leaves sees nothing, one beside the crown sees past it, and from above a place is clear") {
+  const auto maps = test::level_landscape();
+  test::cover(*maps, 0, 0.3F);
+  const PlantPlacement placement(maps);
+  const auto trees = placement.block(Stratum::tree, 2, 2);
+  REQUIRE_FALSE(trees.empty());
+  const PlantInstance& tree = trees.front();
+  const PlantShape& shape = maps->web->species[std::size_t(maps->web->levels[0][std::size_t(tree.plant)])].plant().shape;
+  const double height = double(shape.height) * double(tree.scale);
+  const glm::dvec3 foot(double(tree.x), double(tree.y), double(tree.z));
+  const glm::dvec3 leaves = foot + glm::dvec3(0, 0, 0.5 * (1 + double(shape.trunk_fraction)) * height);
+  const PlantsAround around(maps, foot, 80);
+  const glm::dvec3 sky(0, 0, 500);
+  CHECK_FALSE(around.free(leaves, leaves + sky));
+  CHECK(around.free(leaves + glm::dvec3(0, 0, 60), leaves + sky));
+  // Straight through the crown the ground is hidden.
+  CHECK_FALSE(around.free(leaves + glm::dvec3(0, 0, 60), foot));
+  std::vector<bool> hidden(maps->web->species.size(), false);
+  CHECK(PlantsAround(maps, foot, 80, hidden).free(leaves, leaves + sky));
+}
+
+TEST_CASE("a view from a steeper slant looks at the same place from higher up") {
+  const auto maps = test::level_landscape();
+  const Terrain& terrain = maps->terrain();
+  const float middle = float(terrain.height.width()) / 2;
+  const glm::dvec3 place = place_of(terrain, {middle, middle}) + glm::dvec3(0, 0, 1);
+  const Camera low = view_of_place(terrain, place, 30, {});
+  const Camera high = view_of_place(terrain, place, 30, {}, {}, 60);
+  CHECK(low.pitch == Approx(-18).margin(0.5));
+  CHECK(high.pitch == Approx(-60).margin(0.5));
+  CHECK(glm::length(low.position - place) == Approx(30));
+  CHECK(glm::length(high.position - place) == Approx(30));
 }
 
 TEST_CASE("a level is chosen that keeps its pace, and never less than low") {

@@ -1,5 +1,7 @@
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "tests/ui/small_landscape.hpp"
 #include "ui/background_task.hpp"
@@ -198,7 +200,7 @@ TEST_CASE("what a tool needs is made in the background") {
   REQUIRE(needs.layers.size() == 3);
   for (int i = 0; i < 10000 && !(grounds.ready(*snapshot, grass) && grounds.ready(*snapshot, ground)); ++i) {
     grounds.prepare(snapshot, snapshot->document, needs);
-    std::this_thread::yield();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   CHECK(grounds.ready(*snapshot, grass));
   CHECK(grounds.ready(*snapshot, ground));

@@ -1,6 +1,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <set>
@@ -53,6 +54,12 @@ PictureOrder order_of(const std::filesystem::path& out) {
   order.height = 64;
   order.out = out;
   return order;
+}
+
+std::set<std::string> names_in(const std::filesystem::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) names.insert(entry.path().filename().string());
+  return names;
 }
 
 Status carry_out(PictureOrder order) {
@@ -173,6 +180,45 @@ TEST_CASE("a picture that was given up leaves nothing behind") {
   CHECK(std::filesystem::is_empty(scratch.path));
 }
 
+TEST_CASE("giving up does not wait for a picture that is being written, and nothing of it is kept") {
+  const auto context = OffscreenContext::create();
+  if (!context) return;
+  const Scratch scratch;
+  double seconds = 0;
+  {
+    PictureExporter exporter;
+    PictureOrder order = order_of(scratch.path / "one.png");
+    // Takes long to encode, not to draw.
+    order.width = order.height = 2600;
+    order.options.plants = false;
+    exporter.start(order);
+    for (int i = 0; i < 20000 && exporter.stage() != "Writing the picture"; ++i) exporter.advance(0);
+    REQUIRE(exporter.running());
+    const auto begin = std::chrono::steady_clock::now();
+    exporter.cancel();
+    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    CHECK_FALSE(exporter.running());
+  }
+  CHECK(seconds < 0.5);
+  CHECK(std::filesystem::is_empty(scratch.path));
+}
+
+TEST_CASE("a video that was given up leaves no folder behind") {
+  const auto context = OffscreenContext::create();
+  if (!context) return;
+  const Scratch scratch;
+  const FakeEncoder encoder(scratch.path / "bin", "exit 0");
+  {
+    PictureExporter exporter;
+    PictureOrder order = order_of(scratch.path / "flight.mp4");
+    order.path = short_path();
+    exporter.start(order);
+    for (int i = 0; i < 20000 && names_in(scratch.path).size() < 2; ++i) exporter.advance(0);
+    REQUIRE(names_in(scratch.path).size() == 2);
+  }
+  CHECK(names_in(scratch.path) == std::set<std::string>{"bin"});
+}
+
 TEST_CASE("what cannot be written is told before the work") {
   const Scratch scratch;
   CHECK_FALSE(check_order(order_of(scratch.path)));
@@ -180,6 +226,12 @@ TEST_CASE("what cannot be written is told before the work") {
   PictureOrder large = order_of(scratch.path / "one.png");
   large.width = 100000;
   CHECK_FALSE(check_order(large));
+  PictureOrder heavy = order_of(scratch.path / "many");
+  heavy.path = short_path();
+  heavy.width = heavy.height = 12000;
+  CHECK_FALSE(check_order(heavy));
+  heavy.height = 10000;
+  CHECK(check_order(heavy));
   std::ofstream(scratch.path / "file") << "x";
   PictureOrder along = order_of(scratch.path / "file");
   along.path = short_path();
@@ -192,6 +244,10 @@ TEST_CASE("a video is made by the ffmpeg in the path, and its complaint is passe
   const Scratch scratch;
   PictureOrder order = order_of(scratch.path / "flight.mp4");
   order.path = short_path();
+  // Pictures of somebody else are neither taken nor removed.
+  const std::filesystem::path own = scratch.path / "flight.mp4.frames";
+  std::filesystem::create_directories(own);
+  for (const char* name : {"frame-00001.png", "frame-00099.png"}) std::ofstream(own / name) << "mine";
   {
     // Its last word is the video; it counts the pictures it was given.
     const FakeEncoder encoder(scratch.path / "bin", R"sh(for last; do :; done
@@ -201,7 +257,8 @@ ls "$(dirname "$last")"/frame-*.png | wc -l > "$last")sh");
     int pictures = 0;
     made >> pictures;
     CHECK(pictures == 6);
-    CHECK_FALSE(std::filesystem::exists(frames_folder(order.out)));
+    CHECK(names_in(scratch.path) == std::set<std::string>{"bin", "flight.mp4", "flight.mp4.frames"});
+    CHECK(std::filesystem::exists(own / "frame-00001.png"));
   }
   const FakeEncoder encoder(scratch.path / "bin2", "echo 'Unknown encoder libx264' >&2; exit 1");
   order.out = scratch.path / "other.mp4";
@@ -209,7 +266,7 @@ ls "$(dirname "$last")"/frame-*.png | wc -l > "$last")sh");
   REQUIRE_FALSE(refused);
   CHECK(refused.error().message.find("Unknown encoder libx264") != std::string::npos);
   CHECK_FALSE(std::filesystem::exists(order.out));
-  CHECK_FALSE(std::filesystem::exists(frames_folder(order.out)));
+  CHECK(names_in(scratch.path) == std::set<std::string>{"bin", "bin2", "flight.mp4", "flight.mp4.frames"});
 }
 
 TEST_CASE("without ffmpeg a video is refused at once, and pictures are not") {

@@ -65,8 +65,8 @@ TEST_CASE("a damaged settings file gives defaults, and odd values are put right"
   CHECK(odd.brush.radius == Settings().brush.radius);
   CHECK(odd.brush.strength == 1);
   CHECK(odd.recent == std::vector<std::string>{"a"});
-  const Settings wild = settings_from_json(
-      R"({"weather": {"cloud": 7, "wind": -3, "fog": "thick"}, "quality_level": "best", "animate": "yes"})");
+  const Settings wild =
+      settings_from_json(R"({"weather": {"cloud": 7, "wind": -3, "fog": "thick"}, "quality_level": "best", "animate": "yes"})");
   CHECK(wild.weather.cloud == 1);
   CHECK(wild.weather.wind == 0);
   CHECK(wild.weather.fog == 0);

@@ -154,3 +154,25 @@ TEST_CASE("an order along a path looks at each moment from where the path is the
   CHECK(middle.options.hour == Approx(11));
   CHECK(middle.options.seconds == Approx(8));
 }
+
+TEST_CASE("a key between two that are close to each other stays where it is") {
+  const auto state = editor();
+  for (const double seconds : {0.0, 0.05, 0.1}) state->views.path.keys.push_back({seconds, state->view.camera});
+  set_path_key_seconds(*state, 1, 3);
+  CHECK(state->views.path.keys[1].seconds == 0.05);
+  CHECK_FALSE(state->dirty());
+  set_path_key_seconds(*state, 2, 3);
+  set_path_key_seconds(*state, 1, 7);
+  CHECK(state->views.path.keys[1].seconds == Approx(2.9));
+}
+
+TEST_CASE("views that could not be read stay as they are until somebody changes one") {
+  const auto state = editor();
+  state->views.unread = "{\"from\": \"tomorrow\"}";
+  CHECK(saved_views_to_json(state->views) == state->views.unread);
+  add_bookmark(*state);
+  CHECK(state->views.unread.empty());
+  CHECK(saved_views_to_json(state->views).find("View 1") != std::string::npos);
+  rename_bookmark(*state, 0, std::string(500, 'a'));
+  CHECK(state->views.bookmarks[0].name.size() == most_name_bytes);
+}

@@ -5,6 +5,7 @@
 
 #include "ui/editor_actions.hpp"
 #include "ui/format.hpp"
+#include "ui/gesture_overlay.hpp"
 #include "ui/herd_day.hpp"
 #include "ui/icons.hpp"
 #include "ui/panels/herd_state_panel.hpp"
@@ -115,7 +116,9 @@ StopAction draw_stop(const UiContext& ui, const PlanEdit& day, std::size_t index
     ui.state.clock.hour = std::fmod(double(stop.arrive), 24.0);
   }
   if (row_double_clicked()) show_place(ui.state, stop.at);
-  tooltip(theme, "Click: go there, to that hour. Double-click: see it in 3D. On the map the numbered circle can be dragged to another resource");
+  tooltip(theme,
+          "Click: go there, to that hour. Double-click: see it in 3D. On the map the numbered circle can be dragged to another "
+          "resource");
   const std::string hours = format_clock(double(stop.arrive)) + " - " + format_clock(double(stop.leave));
   const std::string name = std::to_string(index + 1) + "  " + resource_name(maps, level, node_near(maps, level, stop.at));
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -216,12 +219,19 @@ void draw_herd_day(const UiContext& ui, const ProjectCell& project) {
   if (!day) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (const DailyPlan* plan = chosen_plan(state)) {
+    const auto way_step = float(12 / state.shown->terrain().cell_size);
     for (const bool under : {true, false}) {
       for (std::size_t i = 1; i < plan->way.size(); ++i) {
-        const auto a = project(plan->way[i - 1].at);
-        const auto b = project(plan->way[i].at);
-        if (!a || !b) continue;
-        list.AddLine(*a, *b, under ? IM_COL32(20, 22, 24, 170) : IM_COL32(255, 255, 255, 220), ui.theme.px(under ? 4.0F : 1.8F));
+        // In short pieces: in 3D they lie on the ground.
+        std::optional<ImVec2> last;
+        for (const PathPoint& place : along_ground(plan->way[i - 1].at, plan->way[i].at, way_step)) {
+          const auto at = project(place);
+          if (last && at) {
+            list.AddLine(*last, *at, under ? IM_COL32(20, 22, 24, 170) : IM_COL32(255, 255, 255, 220),
+                         ui.theme.px(under ? 4.0F : 1.8F));
+          }
+          last = at;
+        }
       }
     }
   }

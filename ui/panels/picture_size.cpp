@@ -52,12 +52,15 @@ void draw_picture_dialog(const UiContext& ui) {
   EditorState& state = ui.state;
   if (!begin_modal(ui, "Save the picture", state.dialogs.picture, 360)) return;
   ImGui::TextWrapped("The 3D view as it is now, drawn anew at this size and in high quality.");
+  // Enter in a field ends that field only.
+  const bool typing = ImGui::IsAnyItemActive();
   draw_picture_size(ui);
   ImGui::Dummy(ImVec2(0, ui.theme.px(6)));
   align_buttons(ui.theme, 2, button_width);
   const bool cancelled = ImGui::Button("Cancel", ImVec2(ui.theme.px(button_width), 0));
   ImGui::SameLine();
-  const bool accepted = primary_button(ui.theme, "Where ...", ui.theme.px(button_width)) || take_key(state, DialogKey::enter);
+  const bool entered = !typing && take_key(state, DialogKey::enter);
+  const bool accepted = primary_button(ui.theme, "Where ...", ui.theme.px(button_width)) || entered;
   if (cancelled || accepted) {
     state.dialogs.picture = false;
     ImGui::CloseCurrentPopup();

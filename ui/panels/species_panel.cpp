@@ -61,8 +61,9 @@ void row_tooltip(const UiContext& ui, const Species& species, const SpeciesFigur
     const bool plant = species.is_plant();
     const std::string unit = plant ? "kg/yr" : "animals/yr";
     text += plant ? "\nMean cover " + format_percent(figures->amount)
-                  : "\n" + format_count(figures->amount) + " animals in " + std::to_string(figures->herds) + " herds, " +
-                        std::to_string(figures->regions) + (figures->regions == 1 ? " region" : " regions");
+                  : "\n" + format_count(figures->amount) + " animals in " + std::to_string(figures->herds) +
+                        (figures->herds == 1 ? " herd, " : " herds, ") + std::to_string(figures->regions) +
+                        (figures->regions == 1 ? " region" : " regions");
     text += "\nShare of its level " + format_percent(figures->achieved);
     if (std::isfinite(figures->desired)) text += ", desired " + format_percent(figures->desired);
     if (std::isfinite(figures->growth)) {
@@ -79,7 +80,8 @@ void draw_lock(const UiContext& ui, const Species& species, ImVec2 at, bool is_l
   ImGui::SetCursorScreenPos(at);
   const char* icon = theme.has_icons ? (is_locked ? icons::lock : icons::unlock) : (is_locked ? "x" : ".");
   const ImVec4 colour = is_locked ? theme.attention : with_alpha(theme.muted, 0.35F);
-  if (!icon_button(theme, "lock", icon, colour, is_locked ? "Locked: no brush changes it. Click to unlock" : "Lock against paint"))
+  if (!icon_button(theme, "lock", icon, colour,
+                   is_locked ? "Locked: no brush changes it. Click to unlock" : "Lock against paint"))
     return;
   std::set<std::string>& locks = ui.state.locked_species;
   if (locks.erase(species.name) == 0) locks.insert(species.name);
@@ -201,6 +203,13 @@ void draw_proportions(const UiContext& ui, const FoodWeb& web, int level) {
   tooltip(ui.theme, "On: the level aims at its species' desired shares. Off: the fittest take what they can.");
   const int selected = state.selected_species;
   const bool of_level = selected >= 0 && selected < int(web.level.size()) && web.level[std::size_t(selected)] == level;
+  // The row is there all the time: a list that moved under the pointer would take the second half of a double click.
+  if (use && !of_level) {
+    float none = 0;
+    ImGui::BeginDisabled();
+    labelled_slider(ui.theme, "Desired share", none, 0, 1, "choose a species");
+    ImGui::EndDisabled();
+  }
   if (use && of_level) {
     const Species& species = web.species[std::size_t(selected)];
     const std::string key = species.proportions.contains(state.document.climate.name) ? state.document.climate.name : "default";
