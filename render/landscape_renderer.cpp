@@ -1,7 +1,9 @@
 #include "render/landscape_renderer.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "core/climate/snow_cover.hpp"
 #include "render/animal_renderer.hpp"
@@ -15,8 +17,11 @@ namespace biotope {
 
 namespace {
 
-/// Time of a frame that may go into building plants, ms.
-constexpr double plant_milliseconds = 8;
+/// Time of a frame that may go into building plants, ms: a share of what frames take, so that a slow renderer's pictures are
+/// whole as soon as a fast one's.
+constexpr double least_plant_milliseconds = 8;
+constexpr double most_plant_milliseconds = 40;
+constexpr double plant_share = 0.4;
 
 PlantLook plant_look(const LandscapeOptions& options) { return {options.month, options.visible_species, options.quality}; }
 
@@ -64,6 +69,9 @@ struct LandscapeRenderer::State {
   void follow_animals();
   void draw_world(const Camera& camera, const LandscapeOptions& options, const Daylight& light, FrameUniforms& frame);
   void count(const DrawCount& drawn);
+  double plant_milliseconds();
+  /// When the last picture was begun.
+  std::chrono::steady_clock::time_point begun;
 };
 
 LandscapeRenderer::LandscapeRenderer() : state_(std::make_unique<State>()) {}
@@ -137,6 +145,14 @@ FrameUniforms LandscapeRenderer::State::frame(const Camera& camera, const Landsc
   return out;
 }
 
+double LandscapeRenderer::State::plant_milliseconds() {
+  const auto now = std::chrono::steady_clock::now();
+  const double interval = std::chrono::duration<double, std::milli>(now - std::exchange(begun, now)).count();
+  // A pause is no slow frame.
+  return interval > 500 ? least_plant_milliseconds
+                        : std::clamp(plant_share * interval, least_plant_milliseconds, most_plant_milliseconds);
+}
+
 void LandscapeRenderer::State::count(const DrawCount& drawn) {
   statistics.draw_calls += drawn.draw_calls;
   statistics.triangles += drawn.triangles;
@@ -149,7 +165,7 @@ void LandscapeRenderer::State::draw_world(const Camera& camera, const LandscapeO
   TerrainLook look = terrain_look(options, ground);
   const bool with_plants = options.plants && planted && same_extent(planted->terrain(), ground);
   if (with_plants) {
-    plants_complete = plants->prepare(plant_look(options), camera.position, frame, frustum, plant_milliseconds);
+    plants_complete = plants->prepare(plant_look(options), camera.position, frame, frustum, plant_milliseconds());
     frame.shade_area = PlantRenderer::shade_area(camera.position,
                                                  camera.position.z - ground_height(ground, camera.position.x, camera.position.y));
     look.canopy_from = plants->canopy_range().x;

@@ -10,6 +10,9 @@ namespace biotope {
 
 namespace {
 
+/// Blocks that are built side by side between two looks at the clock.
+constexpr std::ptrdiff_t blocks_at_once = 8;
+
 /// True when the plants of two webs stand by the same rules, so that blocks of one are good for the other.
 bool same_plants(const MapsSnapshot& a, const MapsSnapshot& b) {
   if (a.web == b.web) return true;
@@ -129,7 +132,7 @@ bool PlantBlocks::build(Stratum stratum, double x, double y, float reach, std::c
   if (wanted.empty()) return true;
   drop_far(stratum, x, y, reach);
   Map& blocks = blocks_[std::size_t(stratum)];
-  for (auto place = wanted.begin(); place != wanted.end(); ++place) {
+  for (auto place = wanted.begin(); place != wanted.end();) {
     if (std::chrono::steady_clock::now() >= until) {
       // Blocks that only changed still have their old plants.
       const auto lacking = std::find_if(place, wanted.end(), [&](const auto& other) { return !blocks.contains(other); });
@@ -139,9 +142,19 @@ bool PlantBlocks::build(Stratum stratum, double x, double y, float reach, std::c
       whole_to = float(std::clamp(away - side, 0.0, double(reach)));
       return false;
     }
-    fill(stratum, *place, blocks[*place], ++versions_);
+    const auto end = place + std::min<std::ptrdiff_t>(blocks_at_once, wanted.end() - place);
+    fill_all(stratum, {place, end});
+    place = end;
   }
   return true;
+}
+
+void PlantBlocks::fill_all(Stratum stratum, std::span<const std::pair<int, int>> places) {
+  std::vector<PlantBlock*> blocks;
+  blocks.reserve(places.size());
+  for (const auto& place : places) blocks.push_back(&blocks_[std::size_t(stratum)][place]);
+  parallel_each(places.size(), [&](std::size_t i) { fill(stratum, places[i], *blocks[i], versions_ + 1 + std::uint32_t(i)); });
+  versions_ += std::uint32_t(places.size());
 }
 
 void PlantBlocks::build_all(Stratum stratum, double x, double y, float reach) {
@@ -149,11 +162,7 @@ void PlantBlocks::build_all(Stratum stratum, double x, double y, float reach) {
   const auto wanted = missing(stratum, x, y, reach);
   whole_to_[std::size_t(stratum)] = reach;
   drop_far(stratum, x, y, reach);
-  std::vector<PlantBlock*> blocks;
-  blocks.reserve(wanted.size());
-  for (const auto& place : wanted) blocks.push_back(&blocks_[std::size_t(stratum)][place]);
-  parallel_each(wanted.size(), [&](std::size_t i) { fill(stratum, wanted[i], *blocks[i], versions_ + 1 + std::uint32_t(i)); });
-  versions_ += std::uint32_t(wanted.size());
+  fill_all(stratum, wanted);
 }
 
 void PlantBlocks::drop_far(Stratum stratum, double x, double y, float reach) {

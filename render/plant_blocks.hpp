@@ -4,6 +4,7 @@
 #include <chrono>
 #include <map>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -49,6 +50,8 @@ class PlantBlocks {
  private:
   [[nodiscard]] std::vector<std::pair<int, int>> missing(Stratum stratum, double x, double y, float reach) const;
   void fill(Stratum stratum, std::pair<int, int> place, PlantBlock& block, std::uint32_t version) const;
+  /// Builds blocks on all threads.
+  void fill_all(Stratum stratum, std::span<const std::pair<int, int>> places);
   void mark_changed(const MapsSnapshot& before, const GroundLines* lines_before);
   /// Makes the blocks stale that meet a tile of the terrain that is marked.
   void mark(const Grid<std::uint8_t>& tiles);

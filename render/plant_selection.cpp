@@ -241,8 +241,10 @@ PlantBudget PlantBudget::of(float quality) {
   PlantBudget budget;
   const float q = std::clamp(quality, 0.25F, 4.0F);
   const auto times = [](std::size_t count, float factor) { return std::size_t(float(count) * factor); };
-  budget.near = times(budget.near, q);
-  budget.mid = times(budget.mid, q);
+  // Below medium the meshes are what costs most: fewer of them than of the rest.
+  const float meshes = q <= 1 ? std::pow(q, 2.5F) : q;
+  budget.near = times(budget.near, meshes);
+  budget.mid = times(budget.mid, meshes);
   // A GPU draws far plants by the million; a processor counts each.
   const float far = q <= 1 ? q : std::pow(q, 2.9F);
   budget.far = times(budget.far, far);
