@@ -9,42 +9,19 @@
 #include "render/image.hpp"
 #include "render/offscreen_context.hpp"
 #include "tests/render/sample_plants.hpp"
+#include "tests/render/studio.hpp"
 
 using namespace biotope;
 using namespace biotope::test;
 
 namespace {
 
-/// A renderer in a context of its own with a small picture to draw on, and a wooded, watered landscape.
-struct Studio {
-  std::unique_ptr<OffscreenContext> context;
-  std::unique_ptr<LandscapeRenderer> renderer;
-  std::unique_ptr<RenderTarget> target;
-  LandscapeOptions options;
-  Camera camera;
-
+struct WoodStudio : Studio {
   bool make() {
-    auto made = OffscreenContext::create();
-    if (!made) {
-      WARN("No OpenGL here: " << made.error().message);
-      return false;
-    }
-    context = std::move(*made);
-    auto drawn = LandscapeRenderer::create();
-    if (!drawn) FAIL(drawn.error().message);
-    renderer = std::move(*drawn);
-    target = std::make_unique<RenderTarget>(192, 128);
+    if (!open(192, 128)) return false;
     camera.position = {256, 120, 112};
-    camera.heading = 0;
     options.quality = 0.5F;
     return true;
-  }
-  Image draw() {
-    target->bind();
-    renderer->finish_loading(camera, options);
-    renderer->draw(camera, options, 192, 128);
-    CHECK(glGetError() == GL_NO_ERROR);
-    return target->read();
   }
 };
 
@@ -64,15 +41,7 @@ double brightness(const Image& image) {
 }
 
 /// Pixels that differ visibly.
-int different(const Image& a, const Image& b) {
-  int count = 0;
-  for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
-    int sum = 0;
-    for (std::size_t c = 0; c < 3; ++c) sum += std::abs(int(a.rgba[i + c]) - int(b.rgba[i + c]));
-    count += sum > 12 ? 1 : 0;
-  }
-  return count;
-}
+int visibly_different(const Image& a, const Image& b) { return different(a, b, 12); }
 
 }  // namespace
 
@@ -90,7 +59,7 @@ TEST_CASE("a picture written as PNG is read back the same") {
 }
 
 TEST_CASE("views of many kinds draw without an OpenGL error") {
-  Studio studio;
+  WoodStudio studio;
   if (!studio.make()) return;
   (void)studio.draw();  // nothing loaded
   const auto bare = level_landscape();
@@ -113,7 +82,7 @@ TEST_CASE("views of many kinds draw without an OpenGL error") {
 }
 
 TEST_CASE("noon is brighter than night") {
-  Studio studio;
+  WoodStudio studio;
   if (!studio.make()) return;
   studio.renderer->set_snapshot(wooded_landscape());
   studio.options.hour = 12;
@@ -123,7 +92,7 @@ TEST_CASE("noon is brighter than night") {
 }
 
 TEST_CASE("the same camera twice gives the same picture, wherever one has been between") {
-  Studio studio;
+  WoodStudio studio;
   if (!studio.make()) return;
   studio.renderer->set_snapshot(wooded_landscape());
   const Image first = studio.draw();
@@ -132,35 +101,35 @@ TEST_CASE("the same camera twice gives the same picture, wherever one has been b
   (void)studio.draw();
   studio.camera.position = {256, 120, 112};
   studio.options.month = 5;
-  CHECK(different(first, studio.draw()) == 0);
+  CHECK(visibly_different(first, studio.draw()) == 0);
 }
 
 TEST_CASE("hiding plants, a species, water or the summer changes the picture") {
-  Studio studio;
+  WoodStudio studio;
   if (!studio.make()) return;
   studio.renderer->set_snapshot(wooded_landscape());
   const Image all = studio.draw();
   const auto drawn = studio.renderer->statistics().plants;
   CHECK(drawn > 100);
   studio.options.plants = false;
-  CHECK(different(all, studio.draw()) > 1000);
+  CHECK(visibly_different(all, studio.draw()) > 1000);
   CHECK(studio.renderer->statistics().plants == 0);
   studio.options.plants = true;
   studio.options.visible_species = {false, true, true, true};
-  CHECK(different(all, studio.draw()) > 500);
+  CHECK(visibly_different(all, studio.draw()) > 500);
   CHECK(studio.renderer->statistics().plants < drawn);
   studio.options.visible_species.clear();
   studio.options.water = false;
-  CHECK(different(all, studio.draw()) > 100);
+  CHECK(visibly_different(all, studio.draw()) > 100);
   studio.options.water = true;
   studio.options.month = 0;
-  CHECK(different(all, studio.draw()) > 500);
+  CHECK(visibly_different(all, studio.draw()) > 500);
   studio.options.month = 5;
-  CHECK(different(all, studio.draw()) == 0);
+  CHECK(visibly_different(all, studio.draw()) == 0);
 }
 
 TEST_CASE("plants appear over a few frames without finish_loading") {
-  Studio studio;
+  WoodStudio studio;
   if (!studio.make()) return;
   studio.renderer->set_snapshot(wooded_landscape());
   studio.target->bind();
@@ -171,7 +140,7 @@ TEST_CASE("plants appear over a few frames without finish_loading") {
   } while (!studio.renderer->complete() && std::chrono::steady_clock::now() < until);
   CHECK(studio.renderer->complete());
   const Image slow = studio.target->read();
-  CHECK(different(slow, studio.draw()) == 0);
+  CHECK(visibly_different(slow, studio.draw()) == 0);
 }
 
 TEST_CASE("a ray meets level ground where geometry says, and the sky nowhere") {

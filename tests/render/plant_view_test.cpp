@@ -7,45 +7,23 @@
 #include "render/landscape_renderer.hpp"
 #include "render/offscreen_context.hpp"
 #include "tests/render/sample_plants.hpp"
+#include "tests/render/studio.hpp"
 
 using namespace biotope;
 using namespace biotope::test;
 
 namespace {
 
-constexpr int width = 192;
-constexpr int height = 128;
+constexpr int picture_width = 192;
+constexpr int picture_height = 128;
 
-struct PlantStudio {
-  std::unique_ptr<OffscreenContext> context;
-  std::unique_ptr<LandscapeRenderer> renderer;
-  std::unique_ptr<RenderTarget> target;
-  LandscapeOptions options;
-  Camera camera;
-
+struct PlantStudio : Studio {
   bool make() {
-    auto made = OffscreenContext::create();
-    if (!made) {
-      WARN("No OpenGL here: " << made.error().message);
-      return false;
-    }
-    context = std::move(*made);
-    auto drawn = LandscapeRenderer::create();
-    if (!drawn) FAIL(drawn.error().message);
-    renderer = std::move(*drawn);
-    target = std::make_unique<RenderTarget>(width, height);
+    if (!open(picture_width, picture_height)) return false;
     camera.position = {256, 60, 106};
-    camera.heading = 0;
     options.quality = 0.5F;
     options.weather.cloud = 0;
     return true;
-  }
-  Image draw() {
-    target->bind();
-    renderer->finish_loading(camera, options);
-    renderer->draw(camera, options, width, height);
-    CHECK(glGetError() == GL_NO_ERROR);
-    return target->read();
   }
 };
 
@@ -56,23 +34,13 @@ std::shared_ptr<MapsSnapshot> wood(float oaks, float grass) {
   return snapshot;
 }
 
-int different(const Image& a, const Image& b) {
-  int count = 0;
-  for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
-    int sum = 0;
-    for (std::size_t c = 0; c < 3; ++c) sum += std::abs(int(a.rgba[i + c]) - int(b.rgba[i + c]));
-    count += sum > 6 ? 1 : 0;
-  }
-  return count;
-}
-
 /// Mean of each colour over the middle of a picture.
 std::array<double, 3> middle(const Image& image) {
   std::array<double, 3> sum{};
   double count = 0;
-  for (int y = height / 4; y < height * 3 / 4; ++y) {
-    for (int x = width / 4; x < width * 3 / 4; ++x, ++count) {
-      for (std::size_t c = 0; c < 3; ++c) sum[c] += image.rgba[std::size_t(4 * (y * width + x)) + c];
+  for (int y = picture_height / 4; y < picture_height * 3 / 4; ++y) {
+    for (int x = picture_width / 4; x < picture_width * 3 / 4; ++x, ++count) {
+      for (std::size_t c = 0; c < 3; ++c) sum[c] += image.rgba[std::size_t(4 * (y * picture_width + x)) + c];
     }
   }
   for (double& value : sum) value /= count;

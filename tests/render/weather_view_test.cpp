@@ -7,50 +7,28 @@
 #include "render/landscape_renderer.hpp"
 #include "render/offscreen_context.hpp"
 #include "tests/render/sample_plants.hpp"
+#include "tests/render/studio.hpp"
 
 using namespace biotope;
 using namespace biotope::test;
 
 namespace {
 
-constexpr int width = 160;
-constexpr int height = 100;
+constexpr int picture_width = 160;
+constexpr int picture_height = 100;
 
-/// A renderer in a context of its own and a view without plants and animals.
-struct Scene {
-  std::unique_ptr<OffscreenContext> context;
-  std::unique_ptr<LandscapeRenderer> renderer;
-  std::unique_ptr<RenderTarget> target;
-  LandscapeOptions options;
-  Camera camera;
-
+/// A view without plants and animals.
+struct Scene : Studio {
   bool make(std::shared_ptr<const MapsSnapshot> snapshot) {
-    auto made = OffscreenContext::create();
-    if (!made) {
-      WARN("No OpenGL here: " << made.error().message);
-      return false;
-    }
-    context = std::move(*made);
-    auto drawn = LandscapeRenderer::create();
-    if (!drawn) FAIL(drawn.error().message);
-    renderer = std::move(*drawn);
+    if (!open(picture_width, picture_height)) return false;
     renderer->set_snapshot(std::move(snapshot));
-    target = std::make_unique<RenderTarget>(width, height);
     options.plants = false;
     options.animals = false;
     options.quality = 1;
     options.weather.cloud = 0;
     camera.position = {256, 120, 130};
-    camera.heading = 0;
     camera.pitch = -30;
     return true;
-  }
-  Image draw() {
-    target->bind();
-    renderer->finish_loading(camera, options);
-    renderer->draw(camera, options, width, height);
-    CHECK(glGetError() == GL_NO_ERROR);
-    return target->read();
   }
 };
 
@@ -71,15 +49,6 @@ double mean(const Image& image) {
 int contrast(const Image& image) {
   const std::vector<int> values = brightness(image);
   return values[values.size() * 9 / 10] - values[values.size() / 10];
-}
-int different(const Image& a, const Image& b) {
-  int count = 0;
-  for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
-    int sum = 0;
-    for (std::size_t c = 0; c < 3; ++c) sum += std::abs(int(a.rgba[i + c]) - int(b.rgba[i + c]));
-    count += sum > 6 ? 1 : 0;
-  }
-  return count;
 }
 /// Share of pixels that are white or nearly so.
 double white_share(const Image& image) {
