@@ -14,6 +14,7 @@
 #include "ui/autosave.hpp"
 #include "ui/editor_actions.hpp"
 #include "ui/editor_window.hpp"
+#include "ui/keep_settings.hpp"
 
 namespace biotope {
 namespace {
@@ -42,7 +43,8 @@ struct ImGuiSession {
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
     ImGui::GetIO().ConfigWindowsMoveFromTitleBarOnly = true;
-    ImGui_ImplGlfw_InitForOpenGL(window, true);
+    // The host hands input over frame by frame.
+    ImGui_ImplGlfw_InitForOpenGL(window, false);
     ImGui_ImplOpenGL3_Init("#version 450 core");
   }
   ~ImGuiSession() {
@@ -74,6 +76,7 @@ void draw_frame(EditorHost& host, EditorWindow& editor) {
   host.follow_theme();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+  host.feed_input();
   ImGui::NewFrame();
   update(host.state(), ImGui::GetTime(), ImGui::GetIO().DeltaTime);
   editor.draw({host.state(), host.theme(), host.commands()});
@@ -142,6 +145,7 @@ Status run_editor(const EditorOptions& options) {
   host.set_autosave(&autosave);
   run_loop(host, **editor);
   host.remember_window();
+  keep_settings(host.state());
   return save_settings(settings_file, host.state().settings);
 }
 

@@ -4,6 +4,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <imgui.h>
+#include <imgui_impl_glfw.h>
 #include <imgui_impl_opengl3.h>
 
 #include <algorithm>
@@ -11,33 +12,62 @@
 
 #include "core/exchange/open_input.hpp"
 #include "render/image.hpp"
+#include "ui/dropped_files.hpp"
 #include "ui/editor_actions.hpp"
+#include "ui/keep_settings.hpp"
 
 namespace biotope {
 namespace {
 
+constexpr float double_click_seconds = 0.3F;
+
 EditorHost& host_of(GLFWwindow* window) { return *static_cast<EditorHost*>(glfwGetWindowUserPointer(window)); }
 
+/// Where the pointer is now, with the pen's pressure.
+InputEvent at_pointer(GLFWwindow* window, InputEvent event, float pressure) {
+  double x = 0;
+  double y = 0;
+  glfwGetCursorPos(window, &x, &y);
+  event.x = float(x);
+  event.y = float(y);
+  event.pressure = pressure;
+  return event;
+}
+
+void install_input_callbacks(GLFWwindow* window) {
+  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { host_of(w).note_pointer({InputEvent::Kind::pointer}); });
+  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
+    host_of(w).note_pointer({InputEvent::Kind::button, button, 0, modifiers, action == GLFW_PRESS});
+  });
+  glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
+    host_of(w).note({InputEvent::Kind::wheel, 0, 0, 0, false, false, float(x), float(y)});
+  });
+  glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
+    host_of(w).note({InputEvent::Kind::key, key, scancode, modifiers, action != GLFW_RELEASE, action == GLFW_REPEAT});
+  });
+  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) {
+    host_of(w).note({InputEvent::Kind::character, int(character)});
+  });
+}
+
 void install_callbacks(GLFWwindow* window) {
-  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { host_of(w).note_pointer(x, y); });
-  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int) {
-    host_of(w).note_input();
-    if (button == GLFW_MOUSE_BUTTON_LEFT) host_of(w).note_left_button(action == GLFW_PRESS);
-  });
-  glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { host_of(w).note_input(); });
-  glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int modifiers) {
-    host_of(w).note_input();
-    if (action != GLFW_RELEASE) host_of(w).note_key(key, modifiers, action == GLFW_REPEAT);
-  });
-  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { host_of(w).note_input(); });
+  install_input_callbacks(window);
   glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { host_of(w).note_input(); });
   glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { host_of(w).note_input(); });
+  glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
+    host_of(w).note_input();
+    ImGui_ImplGlfw_WindowFocusCallback(w, focused);
+  });
+  glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
+    host_of(w).note_input();
+    ImGui_ImplGlfw_CursorEnterCallback(w, entered);
+  });
   glfwSetWindowContentScaleCallback(window, [](GLFWwindow* w, float, float) {
     host_of(w).note_input();
     host_of(w).state().theme_changed = true;
   });
   glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
-    if (count > 0) host_of(w).drop_file(paths[0]);
+    host_of(w).drop(std::vector<std::string>(paths, paths + std::max(count, 0)));
   });
 }
 
@@ -73,6 +103,7 @@ EditorHost::EditorHost(GLFWwindow* window, const Settings& settings, const std::
   state_.settings = settings;
   state_.settings_file = settings_file;
   state_.brush = settings.brush;
+  take_up_brush(state_);
   state_.view.contours = settings.contours;
   state_.view.opacity = settings.overlay_opacity;
   state_.dialogs.first_steps = !settings.first_steps_closed;
@@ -110,29 +141,67 @@ bool EditorHost::take_input() {
   return input;
 }
 
-void EditorHost::note_pointer(double x, double y) {
+void EditorHost::note(const InputEvent& event) {
   input_ = true;
-  if (state_.path.held) state_.path.points.push_back({float(x), float(y), pen_.pressure()});
+  queue_.push(event);
 }
 
-void EditorHost::note_left_button(bool down) {
-  double x = 0;
-  double y = 0;
-  glfwGetCursorPos(window_, &x, &y);
-  if (down) state_.path.points.clear();
-  state_.path.held = down;
-  state_.path.points.push_back({float(x), float(y), pen_.pressure()});
+void EditorHost::note_pointer(const InputEvent& event) { note(at_pointer(window_, event, pen_.pressure())); }
+
+void EditorHost::apply(const InputEvent& event) {
+  pointer_.follow(event);
+  switch (event.kind) {
+    case InputEvent::Kind::pointer:
+      if (state_.path.held) state_.path.points.push_back({event.x, event.y, event.pressure});
+      break;
+    case InputEvent::Kind::button:
+      ImGui_ImplGlfw_MouseButtonCallback(window_, event.code, event.down ? GLFW_PRESS : GLFW_RELEASE, event.modifiers);
+      if (event.code != GLFW_MOUSE_BUTTON_LEFT) break;
+      if (event.down) state_.path.points.clear();
+      state_.path.held = event.down;
+      state_.path.points.push_back({event.x, event.y, event.pressure});
+      break;
+    case InputEvent::Kind::wheel:
+      ImGui_ImplGlfw_ScrollCallback(window_, double(event.x), double(event.y));
+      break;
+    case InputEvent::Kind::key:
+      ImGui_ImplGlfw_KeyCallback(window_, event.code, event.scancode,
+                                 !event.down    ? GLFW_RELEASE
+                                 : event.repeat ? GLFW_REPEAT
+                                                : GLFW_PRESS,
+                                 event.modifiers);
+      if (event.down) note_key(event);
+      break;
+    case InputEvent::Kind::character:
+      ImGui_ImplGlfw_CharCallback(window_, unsigned(event.code));
+      break;
+  }
 }
 
-void EditorHost::note_key(int key, int modifiers, bool repeat) {
-  const Shortcut keys{key, (modifiers & GLFW_MOD_CONTROL) != 0, (modifiers & GLFW_MOD_SHIFT) != 0,
+void EditorHost::feed_input() {
+  bool pressed = false;
+  for (const InputEvent& event : queue_.take()) {
+    apply(event);
+    pressed = pressed || event.kind == InputEvent::Kind::button;
+  }
+  ImGuiIO& io = ImGui::GetIO();
+  for (int button = 0; button < PointerState::buttons; ++button) io.MouseDown[button] = pointer_.down[std::size_t(button)];
+  // A click is where it was made, also where the pointer has gone on since.
+  if (pressed || !queue_.empty()) io.MousePos = ImVec2(pointer_.x, pointer_.y);
+  io.MouseDoubleClickTime = std::max(double_click_seconds, 2.5F * io.DeltaTime);
+  if (!queue_.empty()) input_ = true;
+}
+
+void EditorHost::note_key(const InputEvent& event) {
+  const int modifiers = event.modifiers;
+  const Shortcut keys{event.code, (modifiers & GLFW_MOD_CONTROL) != 0, (modifiers & GLFW_MOD_SHIFT) != 0,
                       (modifiers & GLFW_MOD_ALT) != 0};
-  state_.key_presses.push_back({keys, repeat});
+  state_.key_presses.push_back({keys, event.repeat});
 }
 
-void EditorHost::drop_file(const char* path) {
+void EditorHost::drop(const std::vector<std::string>& files) {
   input_ = true;
-  open_or_import(state_, path);
+  drop_files(state_, files);
 }
 
 bool EditorHost::should_close() {
@@ -213,9 +282,6 @@ void EditorHost::offer_recovery() {
 
 void EditorHost::remember_window() {
   Settings& settings = state_.settings;
-  settings.brush = state_.brush;
-  settings.contours = state_.view.contours;
-  settings.overlay_opacity = state_.view.opacity;
   settings.maximized = glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) != 0;
   if (settings.maximized || glfwGetWindowMonitor(window_) != nullptr) return;
   glfwGetWindowSize(window_, &settings.window_width, &settings.window_height);

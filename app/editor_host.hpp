@@ -2,11 +2,13 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "app/pen.hpp"
 #include "ui/autosave.hpp"
 #include "ui/commands.hpp"
 #include "ui/editor_state.hpp"
+#include "ui/input_queue.hpp"
 #include "ui/theme.hpp"
 
 struct GLFWwindow;
@@ -40,14 +42,19 @@ class EditorHost {
   /// Takes the window's size into the settings.
   void remember_window();
 
+  /// After the backend began a frame and before Dear ImGui does: the input of this frame.
+  void feed_input();
+
   /// For GLFW's callbacks.
   void note_input() { input_ = true; }
-  void drop_file(const char* path);
-  void note_pointer(double x, double y);
-  void note_left_button(bool down);
-  void note_key(int key, int modifiers, bool repeat);
+  void note(const InputEvent& event);
+  /// A motion or a button, where the pointer is now.
+  void note_pointer(const InputEvent& event);
+  void drop(const std::vector<std::string>& files);
 
  private:
+  void apply(const InputEvent& event);
+  void note_key(const InputEvent& event);
   void write_screenshot(int width, int height);
   void toggle_full_screen();
   void follow_title();
@@ -58,6 +65,8 @@ class EditorHost {
   Theme theme_;
   CommandTable commands_;
   Autosave* autosave_ = nullptr;
+  InputQueue queue_;
+  PointerState pointer_;
   bool input_ = true;
   std::string title_;
   bool close_agreed_ = false;

@@ -15,13 +15,12 @@ float smooth(float low, float high, float value) {
   return t * t * (3 - 2 * t);
 }
 
-/// Sections carry in `colour.x` where along the animal they are: 0 rump .. 1 chest, 2 neck's end, 3 nose.
-glm::vec3 body_colour(const void* paint, const BodySection& section, float height) {
-  const auto& frame = *static_cast<const AnimalFrame*>(paint);
+/// Trunk: what is darker above and paler below, the patches on it, and the shade in the folds before haunch and behind elbow.
+glm::vec3 trunk_colour(const AnimalFrame& frame, float along, float height) {
   const AnimalBuild& b = frame.build;
-  const float along = section.colour.x;
   const float on_head = smooth(1.95F, 2.15F, along);
-  glm::vec3 colour = frame.coat;
+  // A back in the sun looks as bright as a flank in its own shade: coats are darker above.
+  glm::vec3 colour = frame.coat * (1.08F - 0.20F * smooth(-0.2F, 0.95F, height));
   const float flank = smooth(0.3F, 0.45F, along) * (1 - smooth(0.62F, 0.78F, along));
   colour = glm::mix(colour, frame.pale, b.saddle * 0.55F * flank * (1 - smooth(0.3F, 0.8F, std::abs(height - 0.2F))));
   colour = glm::mix(colour, frame.dark, std::clamp(b.dark_front, 0.0F, 1.0F) * smooth(0.62F, 0.95F, along));
@@ -33,14 +32,43 @@ glm::vec3 body_colour(const void* paint, const BodySection& section, float heigh
   colour = glm::mix(colour, frame.pale,
                     b.pale_front * smooth(0.66F, 1.30F, along) * (1 - smooth(1.75F, 2.1F, along)) *
                         (0.65F + 0.35F * smooth(0.4F, -0.5F, height)));
+  // The long hair below a neck is darker than the neck.
+  colour = glm::mix(colour, frame.dark,
+                    std::min(0.35F, 6 * b.throat_mane) * (1 - b.pale_front) * smooth(0.2F, -0.7F, height) *
+                        smooth(0.9F, 1.2F, along) * (1 - on_head));
+  const float folds = smooth(0.22F, 0.32F, along) * (1 - smooth(0.32F, 0.46F, along)) +
+                      0.8F * smooth(0.56F, 0.66F, along) * (1 - smooth(0.66F, 0.76F, along));
+  return colour * (1 - 0.20F * std::min(1.0F, folds) * smooth(0.35F, -0.25F, height));
+}
+
+/// Head: a darker bridge of the nose, pale rings about the eyes, a pale chin, and the nose.
+glm::vec3 face_colour(const AnimalFrame& frame, glm::vec3 colour, float along, float height) {
+  const AnimalBuild& b = frame.build;
+  const float face = smooth(2.1F, 2.25F, along);
+  colour = glm::mix(colour, frame.dark, 0.30F * face * smooth(0.55F, 0.95F, height) * (1 - smooth(2.7F, 2.9F, along)));
+  const float ring =
+      smooth(2.16F, 2.28F, along) * (1 - smooth(2.32F, 2.46F, along)) * (1 - smooth(0.15F, 0.45F, std::abs(height - 0.5F)));
+  colour = glm::mix(colour, frame.pale, b.eye_rings * ring);
+  colour = glm::mix(colour, frame.pale, b.pale_chin * face * smooth(-0.25F, -0.8F, height));
+  colour = glm::mix(colour, frame.dark, b.dark_face * smooth(2.2F, 2.5F, along) * smooth(-0.3F, 0.5F, height));
+  colour = glm::mix(colour, frame.pale, b.pale_muzzle * smooth(2.45F, 2.8F, along) * smooth(0.75F, 0.1F, height));
+  return glm::mix(colour, glm::vec3(0.10F, 0.085F, 0.08F),
+                  b.dark_muzzle * smooth(2.86F, 2.97F, along) * smooth(-0.8F, -0.2F, height));
+}
+
+/// Sections carry in `colour.x` where along the animal they are: 0 rump .. 1 chest, 2 neck's end, 3 nose.
+glm::vec3 body_colour(const void* paint, const BodySection& section, float height) {
+  const auto& frame = *static_cast<const AnimalFrame*>(paint);
+  const AnimalBuild& b = frame.build;
+  const float along = section.colour.x;
+  const float on_head = smooth(1.95F, 2.15F, along);
+  glm::vec3 colour = trunk_colour(frame, along, height);
   colour = glm::mix(
       colour, frame.dark,
       b.dorsal_stripe * smooth(0.85F - 0.6F * std::max(0.0F, b.dorsal_stripe - 0.6F), 0.99F, height) * (1 - 0.5F * on_head));
   colour =
-      glm::mix(colour, frame.pale, b.pale_rump * (1 - smooth(0.02F, 0.10F, along)) * (1 - 0.5F * smooth(0.8F, 1.0F, height)));
-  colour = glm::mix(colour, frame.dark, b.dark_face * smooth(2.2F, 2.5F, along) * smooth(-0.3F, 0.5F, height));
-  colour = glm::mix(colour, frame.pale, b.pale_muzzle * smooth(2.45F, 2.8F, along) * smooth(0.75F, 0.1F, height));
-  return glm::mix(colour, glm::vec3(0.13F, 0.11F, 0.10F), b.dark_muzzle * smooth(2.86F, 2.99F, along));
+      glm::mix(colour, frame.pale, b.pale_rump * (1 - smooth(0.03F, 0.12F, along)) * (1 - 0.5F * smooth(0.85F, 1.0F, height)));
+  return face_colour(frame, colour, along, height);
 }
 
 /// The neck's line: where it leaves the trunk and where it ends (shoulder heights).

@@ -28,10 +28,12 @@ struct AnimalFrame {
 
 [[nodiscard]] AnimalFrame animal_frame(const AnimalShape& shape, const AnimalBuild& build);
 
-/// Trunk, neck and head in one skin; what hangs on them; legs; tail, ears and eyes; horns and antlers.
+/// Trunk, neck and head in one skin; what hangs on them; legs; tail, ears and eyes; of a silhouette a long tail; horns and
+/// antlers.
 void add_body(AnimalMeshBuilder& builder, const AnimalFrame& frame);
 void add_legs(AnimalMeshBuilder& builder, const AnimalFrame& frame, const AnimalSkeleton& skeleton);
 void add_details(AnimalMeshBuilder& builder, const AnimalFrame& frame, const AnimalSkeleton& skeleton);
+void add_far_details(AnimalMeshBuilder& builder, const AnimalFrame& frame, const AnimalSkeleton& skeleton);
 void add_headgear(AnimalMeshBuilder& builder, const AnimalFrame& frame);
 
 }  // namespace biotope

@@ -5,13 +5,15 @@ namespace biotope::animal_builds {
 AnimalBuild red_deer() {
   AnimalBuild b;
   b.headgear = Headgear::red_antlers;
-  b.headgear_size = 0.78F;
+  b.headgear_size = 0.68F;
   b.throat_mane = 0.035F;
-  b.pale_rump = 0.55F;
+  b.pale_rump = 0.8F;
   b.dark_front = 0.25F;
   b.trunk = 1.0F;
   b.neck_base = 0.135F;
-  b.head_length = 0.40F;
+  b.head_length = 0.37F;
+  b.muzzle_depth = 0.054F;
+  b.muzzle_width = 0.043F;
   b.head_depth = 0.095F;
   b.head_width = 0.07F;
   b.groin = 0.60F;
@@ -35,7 +37,9 @@ AnimalBuild fallow_deer() {
   b.dark_legs = 0.05F;
   b.dorsal_stripe = 0.6F;
   b.neck_base = 0.13F;
-  b.head_length = 0.39F;
+  b.head_length = 0.37F;
+  b.muzzle_depth = 0.054F;
+  b.muzzle_width = 0.043F;
   b.head_depth = 0.095F;
   b.head_width = 0.07F;
   b.groin = 0.60F;
@@ -113,7 +117,9 @@ AnimalBuild mule_deer() {
   b.tail_length = 0.17F;
   b.pale_muzzle = 0.4F;
   b.neck_base = 0.13F;
-  b.head_length = 0.39F;
+  b.head_length = 0.37F;
+  b.muzzle_depth = 0.054F;
+  b.muzzle_width = 0.043F;
   b.head_depth = 0.095F;
   b.head_width = 0.07F;
   b.trunk = 1.0F;
@@ -122,6 +128,8 @@ AnimalBuild mule_deer() {
 
 AnimalBuild bison() {
   AnimalBuild b;
+  b.pale_chin = 0;
+  b.eye_rings = 0;
   b.trunk = 1.2F;
   b.rump = 0.80F;
   b.back = 0.85F;
@@ -169,6 +177,8 @@ AnimalBuild bison() {
 
 AnimalBuild horse() {
   AnimalBuild b;
+  b.pale_chin = 0.2F;
+  b.eye_rings = 0.15F;
   b.trunk = 1.04F;
   b.rump = 1.0F;
   b.back = 0.94F;

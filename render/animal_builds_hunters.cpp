@@ -118,6 +118,8 @@ AnimalBuild lynx() {
 
 AnimalBuild bear() {
   AnimalBuild b;
+  b.pale_chin = 0;
+  b.eye_rings = 0;
   b.trunk = 1.24F;
   b.rump = 0.93F;
   b.back = 0.93F;
@@ -161,6 +163,8 @@ AnimalBuild bear() {
 
 AnimalBuild boar() {
   AnimalBuild b;
+  b.pale_chin = 0;
+  b.eye_rings = 0;
   b.trunk = 1.22F;
   b.rump = 0.86F;
   b.back = 0.95F;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <numbers>
 
@@ -31,15 +32,22 @@ class Side {
     return frame_.on_head(ahead_, 0, 0.82F * frame_.build.head_depth) + glm::vec3(0, side_ * out_ * frame_.height, 0) +
            (behind * back + glm::vec3(0, side_ * out, 0) + above * up) * size;
   }
-  /// A beam through points (back, out, up), tapering from `first` to `last` of the size.
+  /// A beam through points (back, out, up), tapering from `first` to `last` of the size. A silhouette has the first two, stout
+  /// and of few pieces, so that from afar one still sees what it is.
   void beam(const std::vector<glm::vec3>& points, float first, float last, glm::vec3 base, glm::vec3 tip, int corners = 5,
             float stretch = 1) {
+    const bool silhouette = builder_.detail() == AnimalDetail::silhouette;
+    if (silhouette && beams_ >= 2) return;
+    ++beams_;
+    const std::size_t step = fine() ? 1 : !silhouette ? 2 : std::max<std::size_t>(1, (points.size() - 1) / (beams_ == 1 ? 2 : 1));
+    const float stout = silhouette ? 1.6F : 1.0F;
     std::vector<Joint> joints;
-    const std::size_t step = builder_.detail() == AnimalDetail::fine ? 1 : 2;
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (i % step != 0 && i + 1 != points.size()) continue;
+      // No short last piece where the steps do not come out even.
+      if (silhouette && i + 1 != points.size() && i + step / 2 + 1 > points.size() - 1 && i > 0) continue;
       const float t = float(i) / float(points.size() - 1);
-      const float radius = glm::mix(first, last, t) * frame_.build.headgear_size * frame_.height;
+      const float radius = stout * glm::mix(first, last, t) * frame_.build.headgear_size * frame_.height;
       joints.push_back({at(points[i].x, points[i].y, points[i].z), radius, glm::mix(base, tip, t * t), rig, stretch});
     }
     builder_.limb(joints, builder_.sides(corners));
@@ -52,6 +60,7 @@ class Side {
   float side_;
   float out_;
   float ahead_;
+  int beams_ = 0;
 };
 
 void red_antlers(Side& s) {

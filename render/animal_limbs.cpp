@@ -83,7 +83,7 @@ void add_ears(AnimalMeshBuilder& builder, const AnimalFrame& f) {
     const glm::vec3 axis = glm::normalize(f.up * std::cos(out) + glm::vec3(0, side * std::sin(out), 0) - f.forward * 0.35F);
     const glm::vec3 tip = base + axis * (b.ear_length * h);
     const glm::vec4 rig{6, 1, 1, side};
-    const glm::vec3 inner = glm::mix(f.coat, f.dark, 0.3F);
+    const glm::vec3 inner = glm::mix(f.coat, f.pale, 0.35F);
     std::vector<Joint> joints{{base - axis * (0.1F * b.ear_length * h), 0.5F * b.ear_width * h, f.coat, rig, 0.6F},
                               {glm::mix(base, tip, 0.4F), b.ear_width * h, f.coat, rig, 0.38F},
                               {glm::mix(base, tip, 0.75F), 0.62F * b.ear_width * h, inner, rig, 0.38F},
@@ -136,6 +136,18 @@ void add_legs(AnimalMeshBuilder& builder, const AnimalFrame& frame, const Animal
   }
 }
 
+void add_far_details(AnimalMeshBuilder& builder, const AnimalFrame& frame, const AnimalSkeleton& skeleton) {
+  const AnimalBuild& b = frame.build;
+  if (b.tail_length < 0.3F) return;
+  const float angle = b.tail_angle * std::numbers::pi_v<float> / 180;
+  const glm::vec3 tip = skeleton.tail + glm::vec3(-std::cos(angle), 0, std::sin(angle)) * (b.tail_length * frame.height);
+  const glm::vec3 hair = b.hair_tail ? frame.dark * 0.45F : frame.coat;
+  const float r = 0.9F * b.tail_radius * frame.height;
+  const std::array<Joint, 2> joints{
+      {{skeleton.tail, r, frame.coat, glm::vec4(5, 0, 0, 0)}, {tip, r, hair, glm::vec4(5, 0, 0.9F, 0)}}};
+  builder.limb(joints, builder.sides(6));
+}
+
 void add_details(AnimalMeshBuilder& builder, const AnimalFrame& frame, const AnimalSkeleton& skeleton) {
   add_ears(builder, frame);
   add_tail(builder, frame, skeleton);
@@ -143,7 +155,7 @@ void add_details(AnimalMeshBuilder& builder, const AnimalFrame& frame, const Ani
   const AnimalBuild& b = frame.build;
   for (const float side : {-1.0F, 1.0F}) {
     const glm::vec3 eye = frame.on_head(0.30F * b.head_length, side * 0.86F * b.head_width, 0.46F * b.head_depth);
-    builder.ball(eye, std::min(0.02F, 0.2F * b.head_depth) * frame.height, glm::vec3(0.05F, 0.04F, 0.03F), {0, 1, 1, 0});
+    builder.ball(eye, std::min(0.0175F, 0.18F * b.head_depth) * frame.height, glm::vec3(0.05F, 0.04F, 0.03F), {0, 1, 1, 0});
   }
 }
 

@@ -99,8 +99,10 @@ AnimalMesh make_animal_mesh(const AnimalShape& shape, std::string_view scientifi
   AnimalMeshBuilder builder(detail);
   add_body(builder, frame);
   add_legs(builder, frame, skeleton);
-  if (detail == AnimalDetail::silhouette) return builder.take();
-  add_details(builder, frame, skeleton);
+  if (detail == AnimalDetail::silhouette)
+    add_far_details(builder, frame, skeleton);
+  else
+    add_details(builder, frame, skeleton);
   add_headgear(builder, frame);
   return builder.take();
 }

@@ -1,6 +1,7 @@
 #include "render/animal_mesh_builder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -114,18 +115,14 @@ void AnimalMeshBuilder::limb(std::span<const Joint> joints, int around) {
 }
 
 void AnimalMeshBuilder::ball(glm::vec3 centre, float radius, glm::vec3 colour, glm::vec4 rig) {
-  const std::size_t first_vertex = mesh_.vertices.size();
-  const std::size_t first_index = mesh_.indices.size();
-  const auto base = std::uint32_t(first_vertex);
-  for (const glm::vec3 axis : {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(-1, 0, 0), glm::vec3(0, -1, 0),
-                               glm::vec3(0, 0, 1), glm::vec3(0, 0, -1)}) {
-    mesh_.vertices.push_back({centre + axis * radius, glm::vec3(0), colour, rig});
-  }
-  for (std::uint32_t s = 0; s < 4; ++s) {
-    triangle(base + s, base + (s + 1) % 4, base + 4);
-    triangle(base + (s + 1) % 4, base + s, base + 5);
-  }
-  smooth(first_vertex, first_index);
+  // Rings of six about its upright axis.
+  const auto ring = [&](float height) {
+    const float lift = radius * height;
+    const float wide = radius * std::sqrt(1 - height * height);
+    return Joint{centre + glm::vec3(0, 0, lift), wide, colour, rig, 1};
+  };
+  const std::array<Joint, 4> joints{ring(-0.94F), ring(-0.4F), ring(0.4F), ring(0.94F)};
+  limb(joints, 6);
 }
 
 AnimalMesh AnimalMeshBuilder::take() { return std::move(mesh_); }

@@ -81,6 +81,8 @@ struct AnimalBuild {
   float belly_share = 1;  ///< how much of the lower side is pale
   float dark_muzzle = 0.8F;
   float pale_muzzle = 0;
+  float pale_chin = 0.55F;
+  float eye_rings = 0.35F;
   float dark_face = 0;
   float saddle = 0;  ///< pale patch on the flanks
   float spots = 0;   ///< pale ones; below 0 dark ones

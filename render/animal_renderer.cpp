@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/random.hpp"
+#include "render/animal_season.hpp"
 #include "render/animal_world.hpp"
 
 namespace biotope {
@@ -36,15 +37,19 @@ float gait_of(double speed, double hip) {
 
 Result<std::unique_ptr<AnimalRenderer>> AnimalRenderer::create() {
   std::unique_ptr<AnimalRenderer> renderer(new AnimalRenderer);
-  const auto load = [](ShaderProgram& program, const char* vertex, const char* fragment) -> Status {
-    auto loaded = load_shader_program(vertex, fragment);
+  const auto load = [](ShaderProgram& program, const char* vertex, const char* fragment,
+                       const std::vector<std::string>& definitions = {}) -> Status {
+    auto loaded = load_shader_program(vertex, fragment, definitions);
     if (!loaded) return tl::unexpected(loaded.error());
     program = std::move(*loaded);
     return {};
   };
-  for (const Status& status : {load(renderer->near_, "landscape/animal_near.vert", "landscape/animal_near.frag"),
-                               load(renderer->far_, "landscape/animal_far.vert", "landscape/animal_far.frag"),
-                               load(renderer->shade_, "landscape/animal_shade.vert", "landscape/animal_shade.frag")}) {
+  for (const Status& status :
+       {load(renderer->near_, "landscape/animal_near.vert", "landscape/animal_near.frag"),
+        load(renderer->shadowed_, "landscape/animal_near.vert", "landscape/animal_near.frag", {"WITH_SHADOWS"}),
+        load(renderer->caster_, "landscape/animal_near.vert", "landscape/shadow_animal.frag", {"SHADOW_CASTER"}),
+        load(renderer->far_, "landscape/animal_far.vert", "landscape/animal_far.frag"),
+        load(renderer->shade_, "landscape/animal_shade.vert", "landscape/animal_shade.frag")}) {
     if (!status) return tl::unexpected(status.error());
   }
   constexpr std::array<glm::vec2, 4> corners{{{-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
@@ -52,15 +57,24 @@ Result<std::unique_ptr<AnimalRenderer>> AnimalRenderer::create() {
   return renderer;
 }
 
-void AnimalRenderer::set_world(const MapsSnapshot& maps, std::shared_ptr<const ShoreMap> shore) {
-  const bool same = world_ && world_->plans == maps.plans && world_->graph == maps.graph && world_->web == maps.web &&
-                    shore_ == shore && world_->ground.terrain == maps.surface() && world_->ground.hydrology == maps.hydrology &&
-                    world_->ground.derivatives == maps.derivatives && world_->levels == maps.animals &&
-                    world_->seed == maps.document.seed;
+void AnimalRenderer::set_world(const MapsSnapshot& maps, std::shared_ptr<const ShoreMap> shore, const PlantPlacement& trees) {
+  const bool same_details = surroundings_ && shore_ == shore && surroundings_->trees_of() == trees.snapshot();
+  const bool same = world_ && same_details && world_->plans == maps.plans && world_->graph == maps.graph &&
+                    world_->web == maps.web && world_->ground.terrain == maps.surface() &&
+                    world_->ground.hydrology == maps.hydrology && world_->ground.derivatives == maps.derivatives &&
+                    world_->levels == maps.animals && world_->seed == maps.document.seed;
   if (same) return;
-  shore_ = shore;
-  world_ = herd_world(maps, std::move(shore));
-  simulation_ = world_ ? std::make_unique<HerdSimulation>(world_) : nullptr;
+  if (!same_details) {
+    shore_ = shore;
+    surroundings_ = std::make_shared<const AnimalSurroundings>(std::move(shore), maps.terrain().cell_size, trees, surroundings_);
+  }
+  world_ = herd_world(maps, surroundings_);
+  wading_ = AnimalWading(world_);
+  if (world_ && simulation_) {
+    simulation_->follow(world_);
+  } else {
+    simulation_ = world_ ? std::make_unique<HerdSimulation>(world_) : nullptr;
+  }
 }
 
 /// Herds that may be in sight, and how near they are.
@@ -73,8 +87,7 @@ std::vector<HerdRequest> AnimalRenderer::herds_near(const LandscapeOptions& opti
     if (s < options.visible_species.size() && !options.visible_species[s]) continue;
     const AnimalShape& shape = world_->traits(plan).shape;
     const Place middle = world_->place_of(world_->state(plan, options.hour * 3600).at);
-    const double reach = double(shape.body_length) * (6 + 2.0 * std::sqrt(double(plan.size)) + 0.8 * double(plan.size)) +
-                         (plan.followed >= 0 ? 260 : 60);
+    const double reach = herd_reach(*world_, plan);
     const double distance = length(middle - Place{eye.x, eye.y});
     const double flat = std::max(0.0, distance - reach);
     const double height = eye.z - double(ground_height(world_->terrain(), middle.x, middle.y));
@@ -84,27 +97,41 @@ std::vector<HerdRequest> AnimalRenderer::herds_near(const LandscapeOptions& opti
   return requests;
 }
 
-void AnimalRenderer::place(const MapsSnapshot& maps, const HerdAnimal& animal, int plan, int member, const Grid<float>& surface,
-                           AnimalAt& at) const {
+void AnimalRenderer::place(const HerdAnimal& animal, int plan, int member, const Grid<float>& surface, AnimalAt& at) const {
   const DailyPlan& day = (*world_->plans)[std::size_t(plan)];
   const AnimalShape& shape = world_->traits(day).shape;
   at.plan = plan;
   at.member = member;
   at.species = day.species;
   const glm::dvec2 place(animal.place.x, animal.place.y);
-  at.place = glm::dvec3(place, double(standing_height(surface, maps.terrain(), place)));
   at.heading = animal.heading;
   at.speed = animal.speed;
   at.height = shape.shoulder_height * animal.size;
+  at.place = glm::dvec3(place, feet_height(surface, place, double(at.height)));
   at.length = shape.body_length * animal.size;
   at.young = animal.young;
   at.male = animal.male;
 }
 
-AnimalRenderer::Instance AnimalRenderer::instance(const HerdAnimal& animal, const AnimalAt& at, const MapsSnapshot& maps,
-                                                  const Grid<float>& surface, const glm::dvec3& eye) const {
+/// Size of its headgear; 2 more in velvet; negative for the young.
+float AnimalRenderer::headgear(const AnimalAt& at) const {
+  if (at.young) return -1;
+  const float size = at.male ? 1.0F : species_[std::size_t(at.species)].female_headgear;
+  if (size <= 0) return 0;
+  const auto early = float(random_unit({world_->seed, 0xca57, std::uint64_t(at.plan), std::uint64_t(at.member)}));
+  const AntlerState state = antlers(web_->species[std::size_t(at.species)].scientific_name, at.male, month_, early);
+  return size * state.grown + (state.velvet ? 2.0F : 0.0F);
+}
+
+double AnimalRenderer::feet_height(const Grid<float>& surface, glm::dvec2 place, double shoulder) const {
+  const Terrain& terrain = world_->terrain();
+  return wading_.feet({place.x, place.y}, double(surface_height(surface, terrain, place)),
+                      double(standing_height(surface, terrain, place)), shoulder);
+}
+
+AnimalRenderer::Instance AnimalRenderer::instance(const HerdAnimal& animal, const AnimalAt& at, const Grid<float>& surface,
+                                                  const glm::dvec3& eye) const {
   const SpeciesModels& species = species_[std::size_t(at.species)];
-  const Terrain& terrain = maps.terrain();
   const glm::dvec2 place(at.place);
   const glm::dvec2 ahead{std::sin(double(at.heading)), std::cos(double(at.heading))};
   const glm::dvec2 left{-ahead.y, ahead.x};
@@ -112,7 +139,7 @@ AnimalRenderer::Instance AnimalRenderer::instance(const HerdAnimal& animal, cons
   // The ground under the feet: a plane through the places of fore and hind hooves.
   const double fore = double(species.skeleton.legs[1].foot.x) * size;
   const double hind = double(species.skeleton.legs[0].foot.x) * size;
-  const auto height = [&](glm::dvec2 p) { return double(standing_height(surface, terrain, p)); };
+  const auto height = [&](glm::dvec2 p) { return feet_height(surface, p, double(at.height)); };
   const double at_fore = height(place + ahead * fore);
   const double at_hind = height(place + ahead * hind);
   const double rise = (at_fore - at_hind) / (fore - hind);
@@ -124,46 +151,81 @@ AnimalRenderer::Instance AnimalRenderer::instance(const HerdAnimal& animal, cons
   // Strides grow from nothing, so that feet come to rest under the body.
   const double begun = smooth_step(0.02, 0.25, double(at.speed));
   const auto shade = float(0.86 + 0.24 * random_unit({world_->seed, std::uint64_t(at.plan), std::uint64_t(at.member)}));
-  const float headgear = at.young ? -1.0F : at.male ? 1.0F : species.female_headgear;
+  const double wades = AnimalWading::head_up(wading_.depth(animal.place), double(at.height));
+  const auto head_down = float(double(animal.head_down) * (1 - wades));
   return {glm::vec4(glm::vec3(glm::dvec3(place, ground) - eye), animal.size),
           {float(ahead.x), float(ahead.y), animal.cycles, float(stride * begun / size)},
-          {animal.head_down, animal.lying, animal.alarm, gait_of(double(at.speed), hip)},
-          {float(rise), float(rise_left), shade, headgear}};
+          {head_down, animal.lying, animal.alarm, gait_of(double(at.speed), hip)},
+          {float(rise), float(rise_left), shade, headgear(at)}};
 }
 
-DrawCount AnimalRenderer::draw(const MapsSnapshot& maps, const LandscapeOptions& options, const glm::dvec3& eye,
-                               const Frustum& frustum, const Grid<float>& surface, std::size_t& drawn_animals) {
+void AnimalRenderer::prepare(const MapsSnapshot& maps, const LandscapeOptions& options, const glm::dvec3& eye,
+                             const Frustum& frustum, const Grid<float>& surface, const ShadowView* light) {
   drawn_.clear();
-  if (!options.animals || !simulation_) return {};
+  seen_.clear();
+  casting_.clear();
+  if (!options.animals || !simulation_) return;
   if (web_ != maps.web) {
     web_ = maps.web;
     make_models(*web_);
   }
+  set_month(northern_month(options.month, maps.terrain().latitude));
   const std::vector<HerdRequest> requests = herds_near(options, eye);
   const std::vector<std::vector<HerdAnimal>> herds = simulation_->animals(requests, options.hour);
-  std::vector<std::array<std::vector<Instance>, levels_of_detail>> instances(species_.size());
+  seen_.resize(species_.size());
+  casting_.resize(species_.size());
   for (std::size_t r = 0; r < requests.size(); ++r) {
     for (std::size_t m = 0; m < herds[r].size(); ++m) {
       const HerdAnimal& animal = herds[r][m];
       AnimalAt at;
-      place(maps, animal, requests[r].plan, int(m), surface, at);
+      place(animal, requests[r].plan, int(m), surface, at);
       const glm::dvec3 offset = at.place - eye;
       const double seen_at = glm::length(offset) / (double(options.quality) * double(at.height));
-      if (seen_at > farthest || !frustum.meets_sphere(glm::vec3(offset) + glm::vec3(0, 0, 0.6F * at.height),
-                                                      std::max(1.3F * at.height, 0.8F * at.length)))
-        continue;
+      if (seen_at > farthest) continue;
+      const glm::vec3 centre = glm::vec3(offset) + glm::vec3(0, 0, 0.6F * at.height);
+      const float radius = std::max(1.3F * at.height, 0.8F * at.length);
+      std::array<bool, shadow_cascades> casts{};
+      for (int c = 0; c < shadow_cascades; ++c) casts[std::size_t(c)] = light != nullptr && casts_into(*light, c, centre, radius);
+      const bool seen = frustum.meets_sphere(centre, radius);
+      if (!seen && std::none_of(casts.begin(), casts.end(), [](bool does) { return does; })) continue;
+      const Instance one = instance(animal, at, surface, eye);
+      for (std::size_t c = 0; c < casts.size(); ++c) {
+        if (casts[c]) casting_[std::size_t(at.species)][c].push_back(one);
+      }
+      if (!seen) continue;
       const std::size_t level = seen_at < fine_distance ? 0 : seen_at < plain_distance ? 1 : 2;
-      instances[std::size_t(at.species)][level].push_back(instance(animal, at, maps, surface, eye));
+      seen_[std::size_t(at.species)][level].push_back(one);
       drawn_.push_back(at);
     }
   }
+}
 
+DrawCount AnimalRenderer::draw_shadows(int cascade) const {
   DrawCount count;
-  for (std::size_t s = 0; s < species_.size(); ++s) {
+  caster_.set("cascade", cascade);
+  caster_.use();
+  for (std::size_t s = 0; s < casting_.size(); ++s) {
+    const auto& list = casting_[s][std::size_t(cascade)];
+    if (list.empty()) continue;
+    // Far from the eye a silhouette is enough.
+    const Model& model = species_[s].models[cascade == 0 ? 1 : 2];
+    glBindBufferBase(GL_UNIFORM_BUFFER, skeleton_binding, species_[s].skeleton_buffer.name());
+    stream(model.instances, std::span<const Instance>(list));
+    glBindVertexArray(model.array.name());
+    glDrawElementsInstanced(GL_TRIANGLES, model.index_count, GL_UNSIGNED_INT, nullptr, GLsizei(list.size()));
+    ++count.draw_calls;
+    count.triangles += std::size_t(model.index_count) / 3 * list.size();
+  }
+  return count;
+}
+
+DrawCount AnimalRenderer::draw(const LandscapeOptions& options, bool shadows) const {
+  DrawCount count;
+  for (std::size_t s = 0; s < seen_.size(); ++s) {
     for (std::size_t level = 0; level < levels_of_detail; ++level) {
-      const auto& list = instances[s][level];
+      const auto& list = seen_[s][level];
       if (list.empty()) continue;
-      (level < 2 ? near_ : far_).use();
+      (level < 2 ? (shadows ? shadowed_ : near_) : far_).use();
       const Model& model = species_[s].models[level];
       glBindBufferBase(GL_UNIFORM_BUFFER, skeleton_binding, species_[s].skeleton_buffer.name());
       stream(model.instances, std::span<const Instance>(list));
@@ -171,29 +233,28 @@ DrawCount AnimalRenderer::draw(const MapsSnapshot& maps, const LandscapeOptions&
       glDrawElementsInstanced(GL_TRIANGLES, model.index_count, GL_UNSIGNED_INT, nullptr, GLsizei(list.size()));
       ++count.draw_calls;
       count.triangles += std::size_t(model.index_count) / 3 * list.size();
-      drawn_animals += list.size();
     }
   }
-  const DrawCount shades = draw_shades(instances, double(options.quality));
+  const DrawCount shades = draw_shades(double(options.quality), shadows ? 0.4F : 1.0F);
   count.draw_calls += shades.draw_calls;
   count.triangles += shades.triangles;
   return count;
 }
 
-/// Shadows on the ground, darker where animals stand together.
-DrawCount AnimalRenderer::draw_shades(const std::vector<std::array<std::vector<Instance>, levels_of_detail>>& instances,
-                                      double quality) {
+/// Shade on the ground under animals, darker where they stand together. Where shadows are drawn, it is only what hides the sky.
+DrawCount AnimalRenderer::draw_shades(double quality, float strength) const {
   DrawCount count;
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glDepthMask(GL_FALSE);
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(-2, -2);
+  shade_.set("strength", strength);
   shade_.use();
   std::vector<Instance> list;
-  for (std::size_t s = 0; s < species_.size(); ++s) {
+  for (std::size_t s = 0; s < seen_.size(); ++s) {
     list.clear();
-    for (const auto& level : instances[s]) {
+    for (const auto& level : seen_[s]) {
       for (const Instance& one : level) {
         if (glm::length(glm::vec3(one.place)) < shade_distance * quality) list.push_back(one);
       }
@@ -213,13 +274,12 @@ DrawCount AnimalRenderer::draw_shades(const std::vector<std::array<std::vector<I
   return count;
 }
 
-std::optional<AnimalAt> AnimalRenderer::animal(const MapsSnapshot& maps, int plan, int member, double hour,
-                                               const Grid<float>& surface) {
+std::optional<AnimalAt> AnimalRenderer::animal(int plan, int member, double hour, const Grid<float>& surface) {
   if (!simulation_ || plan < 0 || std::size_t(plan) >= world_->plans->size()) return std::nullopt;
   const std::vector<HerdAnimal> herd = simulation_->animals(plan, hour);
   if (member < 0 || std::size_t(member) >= herd.size()) return std::nullopt;
   AnimalAt at;
-  place(maps, herd[std::size_t(member)], plan, member, surface, at);
+  place(herd[std::size_t(member)], plan, member, surface, at);
   return at;
 }
 

@@ -9,11 +9,14 @@
 #include "core/pipeline/maps_snapshot.hpp"
 #include "render/animal_mesh.hpp"
 #include "render/animal_pick.hpp"
+#include "render/animal_surroundings.hpp"
+#include "render/animal_wading.hpp"
 #include "render/frame.hpp"
 #include "render/gl_objects.hpp"
 #include "render/landscape_renderer.hpp"
 #include "render/line_field.hpp"
 #include "render/shader_program.hpp"
+#include "render/shadow_map.hpp"
 #include "render/terrain_renderer.hpp"
 
 namespace biotope {
@@ -24,18 +27,25 @@ class AnimalRenderer {
  public:
   [[nodiscard]] static Result<std::unique_ptr<AnimalRenderer>> create();
 
-  /// Takes what animals move on; `shore` (may be null) tells where water is drawn. Call before draw and animal; costs nothing
-  /// when nothing changed.
-  void set_world(const MapsSnapshot& maps, std::shared_ptr<const ShoreMap> shore);
-  /// `surface` is the ground as it is drawn; animals stand on it. Returns what was drawn; `drawn_animals` is increased by their
-  /// number.
-  DrawCount draw(const MapsSnapshot& maps, const LandscapeOptions& options, const glm::dvec3& eye, const Frustum& frustum,
-                 const Grid<float>& surface, std::size_t& drawn_animals);
+  /// Takes what animals move on; `shore` (may be null) tells where water is drawn, `trees` (without a snapshot: none) where
+  /// trunks stand. Call before draw and animal; costs nothing when nothing changed. Herds around which nothing changed go on.
+  void set_world(const MapsSnapshot& maps, std::shared_ptr<const ShoreMap> shore, const PlantPlacement& trees);
+  /// Places the animals of an hour that the camera sees, and those whose shadows `light` (may be null) sees. `surface` is the
+  /// ground as it is drawn; animals stand on it. Call before the draws of a frame.
+  void prepare(const MapsSnapshot& maps, const LandscapeOptions& options, const glm::dvec3& eye, const Frustum& frustum,
+               const Grid<float>& surface, const ShadowView* light);
+  /// Draws those that throw shadows into a cascade of the ShadowMap that is open.
+  DrawCount draw_shadows(int cascade) const;
+  /// Draws what was prepared; `shadows`: with those of the ShadowMap that is bound.
+  DrawCount draw(const LandscapeOptions& options, bool shadows) const;
 
-  /// The animals of the last draw.
+  /// The animals that were prepared.
   [[nodiscard]] std::span<const AnimalAt> drawn() const { return drawn_; }
-  [[nodiscard]] std::optional<AnimalAt> animal(const MapsSnapshot& maps, int plan, int member, double hour,
-                                               const Grid<float>& surface);
+  [[nodiscard]] std::optional<AnimalAt> animal(int plan, int member, double hour, const Grid<float>& surface);
+
+  /// Memory of the simulated runs of herds, and the most that is kept.
+  [[nodiscard]] std::size_t bytes() const { return simulation_ ? simulation_->bytes() : 0; }
+  [[nodiscard]] static std::size_t most_bytes() { return HerdSimulation::most_bytes; }
 
  private:
   static constexpr int levels_of_detail = 3;
@@ -53,6 +63,7 @@ class AnimalRenderer {
     glm::vec4 graze{0};
     glm::vec4 body{0};
     glm::vec4 look{0};
+    glm::vec4 winter{0, 0, 1, 0};
   };
   struct Model {
     VertexArray array;
@@ -63,29 +74,48 @@ class AnimalRenderer {
   };
   struct SpeciesModels {
     std::array<Model, levels_of_detail> models;
+    SkeletonUniforms uniforms;
     Buffer skeleton_buffer;
     AnimalSkeleton skeleton;
     float female_headgear = 0;
+    float spots = 0;
     VertexArray shade_array;
     Buffer shade_instances;
   };
 
   AnimalRenderer() = default;
   void make_models(const FoodWeb& web);
+  void make_model(const AnimalMesh& mesh, Model& model) const;
+  void make_shade(SpeciesModels& species) const;
+  [[nodiscard]] static SkeletonUniforms skeleton_uniforms(const AnimalShape& shape, const AnimalBuild& build,
+                                                          const AnimalSkeleton& skeleton);
+  /// Gives every species the coat of a month (0: January on the northern hemisphere).
+  void set_month(int month);
+  [[nodiscard]] float headgear(const AnimalAt& at) const;
   [[nodiscard]] std::vector<HerdRequest> herds_near(const LandscapeOptions& options, const glm::dvec3& eye) const;
-  void place(const MapsSnapshot& maps, const HerdAnimal& animal, int plan, int member, const Grid<float>& surface,
-             AnimalAt& at) const;
-  [[nodiscard]] Instance instance(const HerdAnimal& animal, const AnimalAt& at, const MapsSnapshot& maps,
-                                  const Grid<float>& surface, const glm::dvec3& eye) const;
-  DrawCount draw_shades(const std::vector<std::array<std::vector<Instance>, levels_of_detail>>& instances, double quality);
+  void place(const HerdAnimal& animal, int plan, int member, const Grid<float>& surface, AnimalAt& at) const;
+  /// Height that an animal's feet are at, under whatever water is drawn.
+  [[nodiscard]] double feet_height(const Grid<float>& surface, glm::dvec2 place, double shoulder) const;
+  [[nodiscard]] Instance instance(const HerdAnimal& animal, const AnimalAt& at, const Grid<float>& surface,
+                                  const glm::dvec3& eye) const;
+  DrawCount draw_shades(double quality, float strength) const;
 
   std::shared_ptr<const FoodWeb> web_;
+  /// Of the coats that are shown; none yet below 0.
+  int month_ = -1;
   std::vector<SpeciesModels> species_;
   std::shared_ptr<const HerdWorld> world_;
   std::shared_ptr<const ShoreMap> shore_;
+  std::shared_ptr<const AnimalSurroundings> surroundings_;
+  AnimalWading wading_;
   std::unique_ptr<HerdSimulation> simulation_;
   std::vector<AnimalAt> drawn_;
+  /// By species: those in sight, by level of detail, and those that throw shadows into each cascade.
+  std::vector<std::array<std::vector<Instance>, levels_of_detail>> seen_;
+  std::vector<std::array<std::vector<Instance>, shadow_cascades>> casting_;
   ShaderProgram near_;
+  ShaderProgram shadowed_;
+  ShaderProgram caster_;
   ShaderProgram far_;
   ShaderProgram shade_;
   Buffer shade_corners_;

@@ -6,7 +6,7 @@
 
 namespace biotope {
 
-std::shared_ptr<const HerdWorld> herd_world(const MapsSnapshot& maps, std::shared_ptr<const ShoreMap> shore) {
+std::shared_ptr<const HerdWorld> herd_world(const MapsSnapshot& maps, std::shared_ptr<const HerdDetails> details) {
   if (!maps.plans || !maps.graph || !maps.web) return nullptr;
   auto world = std::make_shared<HerdWorld>();
   world->web = maps.web;
@@ -15,14 +15,7 @@ std::shared_ptr<const HerdWorld> herd_world(const MapsSnapshot& maps, std::share
   world->graph = maps.graph;
   world->plans = maps.plans;
   world->seed = maps.document.seed;
-  if (shore && !shore->codes.empty()) {
-    const double fine = maps.terrain().cell_size / shore->scale;
-    world->shore = [shore = std::move(shore), fine](Place place) {
-      const int x = int(std::floor(place.x / fine));
-      const int y = shore->codes.height() - 1 - int(std::floor(place.y / fine));
-      return shore_distance(shore->codes.clamped(x, y));
-    };
-  }
+  world->details = std::move(details);
   return world;
 }
 

@@ -26,10 +26,10 @@ constexpr std::array<SkyKey, 9> sky_keys{{
     {-18, {0.0035F, 0.0060F, 0.0150F}, {0.0090F, 0.0130F, 0.0240F}, {0, 0, 0}, {0, 0, 0}, 3.6F},
     {-12, {0.0060F, 0.0120F, 0.0340F}, {0.0180F, 0.0240F, 0.0460F}, {0, 0, 0}, {0.030F, 0.018F, 0.014F}, 3.3F},
     {-6, {0.0130F, 0.0420F, 0.1200F}, {0.0700F, 0.0960F, 0.1420F}, {0.020F, 0.014F, 0.016F}, {0.330F, 0.120F, 0.040F}, 2.9F},
-    {-2, {0.0340F, 0.1000F, 0.2350F}, {0.2500F, 0.2380F, 0.2520F}, {0.200F, 0.090F, 0.060F}, {0.900F, 0.330F, 0.080F}, 2.0F},
-    {1.5F, {0.0560F, 0.1500F, 0.3400F}, {0.4150F, 0.3900F, 0.3800F}, {1.250F, 0.600F, 0.260F}, {1.300F, 0.560F, 0.170F}, 1.40F},
-    {6, {0.0760F, 0.1800F, 0.4200F}, {0.5000F, 0.4900F, 0.5000F}, {2.250F, 1.400F, 0.740F}, {1.050F, 0.640F, 0.310F}, 1.16F},
-    {14, {0.0730F, 0.1950F, 0.4700F}, {0.5000F, 0.5800F, 0.6700F}, {2.800F, 2.100F, 1.400F}, {0.620F, 0.490F, 0.350F}, 1.05F},
+    {-2, {0.0340F, 0.1000F, 0.2350F}, {0.2500F, 0.2380F, 0.2520F}, {0.200F, 0.090F, 0.060F}, {0.900F, 0.330F, 0.080F}, 2.2F},
+    {1.5F, {0.0560F, 0.1500F, 0.3400F}, {0.4150F, 0.3900F, 0.3800F}, {1.250F, 0.600F, 0.260F}, {1.300F, 0.560F, 0.170F}, 1.65F},
+    {6, {0.0760F, 0.1800F, 0.4200F}, {0.5000F, 0.4900F, 0.5000F}, {2.250F, 1.400F, 0.740F}, {1.100F, 0.640F, 0.290F}, 1.34F},
+    {14, {0.0730F, 0.1950F, 0.4700F}, {0.5000F, 0.5800F, 0.6700F}, {2.800F, 2.100F, 1.400F}, {0.700F, 0.500F, 0.320F}, 1.07F},
     {32, {0.0660F, 0.1900F, 0.4900F}, {0.4600F, 0.6050F, 0.7700F}, {3.150F, 2.680F, 2.100F}, {0.330F, 0.290F, 0.240F}, 0.98F},
     {90, {0.0580F, 0.1780F, 0.4900F}, {0.4300F, 0.6000F, 0.7900F}, {3.300F, 2.980F, 2.520F}, {0.260F, 0.240F, 0.210F}, 0.94F},
 }};
@@ -69,6 +69,7 @@ void set_night_light(Daylight& light, float dark) {
   toward.z = std::max(toward.z, 0.35F);
   light.light_direction = glm::normalize(toward);
   light.light_colour = dark * (full_moon_light * moonlight + starlight);
+  light.shadows = std::max(light.shadows * (1 - dark), dark * moonlight / (moonlight + 0.12F));
   light.zenith += dark * moonlight * glm::vec3(0.005F, 0.009F, 0.020F);
   light.horizon += dark * moonlight * glm::vec3(0.008F, 0.011F, 0.018F);
 }
@@ -91,13 +92,14 @@ Daylight daylight(double latitude, int month, double hour) {
   light.horizon = sky.horizon;
   light.glow = sky.glow;
   light.exposure = sky.exposure;
+  light.shadows = glm::smoothstep(-2.5F, 1.0F, elevation);
   light.night = glm::clamp((-2 - elevation) / 10, 0.0F, 1.0F);
   set_night_light(light, elevation < -6 ? glm::smoothstep(6.0F, 10.0F, -elevation) : 0.0F);
   // In shade one sees the blue of the sky above; from below comes what sunlit ground sends back.
   light.ambient_sky = 0.62F * light.zenith + 0.30F * light.horizon + 0.03F * light.glow;
   light.ambient_ground = 0.11F * light.horizon * glm::vec3(1.1F, 1.0F, 0.78F) + 0.034F * light.light_colour;
   // With the sun low most of the light is the sky's.
-  light.ambient_sky *= 1 + 0.45F * glm::smoothstep(14.0F, 0.0F, elevation);
+  light.ambient_sky *= 1 + glm::mix(0.85F, 0.45F, light.night) * glm::smoothstep(20.0F, 4.0F, elevation);
   light.ambient_sky += light.night * glm::vec3(0.006F, 0.008F, 0.013F);
   return light;
 }
@@ -113,6 +115,7 @@ Daylight under(const Daylight& clear, const Weather& weather) {
   const glm::vec3 grey_tone = glm::mix(glm::vec3(0.93F, 1.0F, 1.08F), glm::vec3(0.86F, 0.97F, 1.2F), clear.night);
   const glm::vec3 grey = grey_tone * (0.55F * horizon_light + 0.13F * sun_light) * dark;
   light.sharpness = 1 - murk;
+  light.shadows = clear.shadows * light.sharpness;
   light.light_colour = clear.light_colour * glm::mix(1.0F, 0.10F * dark, murk);
   light.glow = clear.glow * glm::mix(1.0F, 0.06F, murk);
   light.horizon = glm::mix(clear.horizon, grey * 1.12F, murk);

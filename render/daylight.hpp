@@ -28,6 +28,8 @@ struct Daylight {
   float exposure = 1;
   /// Share of the sun's disc and of sharp shadows that clouds leave, 0..1.
   float sharpness = 1;
+  /// How much of the light comes from one side and throws shadows, 0..1: little at dusk, without a moon, under clouds.
+  float shadows = 1;
   Moon moon;
   /// Hour angle of the vernal equinox: how far the stars have turned, radians.
   float sidereal = 0;

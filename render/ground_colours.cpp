@@ -4,6 +4,7 @@
 
 #include "core/base/random.hpp"
 #include "render/ground_maps.hpp"
+#include "render/season.hpp"
 
 namespace biotope {
 
@@ -25,7 +26,9 @@ struct Palette {
   glm::vec3 dry_grass = linear(0.49F, 0.455F, 0.245F);
   glm::vec3 fresh_grass = linear(0.33F, 0.405F, 0.17F);
   glm::vec3 winter_grass = linear(0.48F, 0.44F, 0.31F);
-  glm::vec3 forest_floor = linear(0.24F, 0.20F, 0.13F);
+  glm::vec3 leaf_litter = linear(0.30F, 0.245F, 0.175F);
+  glm::vec3 needle_litter = linear(0.30F, 0.235F, 0.175F);
+  glm::vec3 undergrowth = linear(0.235F, 0.30F, 0.135F);  ///< herbs and ferns of the shade, in full growth
 };
 
 /// One plant as the ground painter needs it.
@@ -34,6 +37,7 @@ struct PlantTint {
   Stratum stratum;
   glm::vec3 colour;
   float leafy;
+  glm::vec3 litter{0};  ///< what lies under a tree
 };
 
 std::vector<PlantTint> plant_tints(const MapsSnapshot& snapshot, int month, const SpeciesVisibility& visible) {
@@ -48,8 +52,13 @@ std::vector<PlantTint> plant_tints(const MapsSnapshot& snapshot, int month, cons
     // Bare crowns have the colour of twigs; the last leaves hang outside.
     const glm::vec3 twigs(0.088F, 0.084F, 0.084F);
     const glm::vec3 leaves(foliage.colour[0], foliage.colour[1], foliage.colour[2]);
-    tints.push_back(
-        {snapshot.cover[i].get(), plant.stratum, glm::mix(leaves, twigs, foliage.bare * foliage.bare), 1 - 0.5F * foliage.bare});
+    const glm::vec3 turned(foliage.turned[0], foliage.turned[1], foliage.turned[2]);
+    // In autumn and the winter after it leaves lie there that are not brown yet.
+    const float fresh = plant.shape.evergreen ? 0.0F : month >= 8 ? 0.7F * foliage.turn : 0.25F * foliage.bare;
+    const Palette palette;
+    const glm::vec3 litter = glm::mix(plant.shape.evergreen ? palette.needle_litter : palette.leaf_litter, 0.62F * turned, fresh);
+    tints.push_back({snapshot.cover[i].get(), plant.stratum, glm::mix(leaves, twigs, foliage.bare * foliage.bare),
+                     1 - 0.5F * foliage.bare, litter});
   }
   return tints;
 }
@@ -135,6 +144,7 @@ class GroundPainter {
     glm::vec3 shrubs(0);
     float shrub_cover = 0;
     float canopy_leaves = 0;
+    glm::vec3 litter(0);
     for (const PlantTint& tint : tints_) {
       const float cover = cover_fraction((*tint.cover)(x, y));
       if (cover <= 0) continue;
@@ -146,6 +156,7 @@ class GroundPainter {
         shrub_cover += cover * tint.leafy;
       } else {
         canopy += cover * tint.colour;
+        litter += cover * tint.litter;
         canopy_leaves += cover * tint.leafy;
         cell.canopy_cover += cover;
       }
@@ -156,7 +167,12 @@ class GroundPainter {
       cell.ground = glm::mix(cell.ground, glm::vec3(meadow[0], meadow[1], meadow[2]),
                              std::min(herb_cover, 1.0F) * 0.75F * (1 - 0.85F * cell.rock));
     }
-    cell.ground = glm::mix(cell.ground, palette_.forest_floor, (0.55F + 0.3F * winter_) * std::min(cell.canopy_cover, 1.0F));
+    // Leaves cover more ground than the crowns they fell from; where herbs are dense, less of it, and what bears shade is green.
+    const float covered = glm::smoothstep(0.2F, 0.9F, cell.canopy_cover) * (0.90F - 0.30F * std::min(herb_cover, 1.0F));
+    if (cell.canopy_cover > 0) {
+      const glm::vec3 floor = glm::mix(litter / cell.canopy_cover, palette_.undergrowth, 0.65F * freshness_ * (1 - winter_));
+      cell.ground = glm::mix(cell.ground, floor, covered * (1 - 0.7F * cell.rock));
+    }
     // Shrubs are lost from sight sooner than trees: they colour the ground, half of it their shade.
     if (shrub_cover > 0) cell.ground = glm::mix(cell.ground, shrubs / shrub_cover * 0.5F, 0.8F * std::min(shrub_cover, 1.0F));
     if (cell.canopy_cover <= 0) return;
@@ -195,6 +211,8 @@ SeasonalFoliage seasonal_foliage(const PlantTraits& plant, int month) {
   // Share of autumn colour and of fallen leaves by month, for the temperate northern hemisphere (our choice).
   constexpr std::array<float, 12> turning{1, 1, 0.6F, 0.15F, 0, 0, 0, 0.05F, 0.25F, 0.9F, 1, 1};
   constexpr std::array<float, 12> fallen{1, 1, 0.85F, 0.3F, 0, 0, 0, 0, 0, 0.25F, 0.8F, 1};
+  // Herbs have ripe stalks from July on and are olive, not yet straw, when the woods turn.
+  constexpr std::array<float, 12> ripe{0.95F, 0.95F, 0.75F, 0.2F, 0, 0, 0.05F, 0.25F, 0.42F, 0.6F, 0.85F, 0.95F};
   const auto m = std::size_t(std::clamp(month, 0, 11));
   const bool herb = plant.stratum == Stratum::herb;
   // Young leaves of spring are lighter and yellower than those of late summer.
@@ -214,7 +232,8 @@ SeasonalFoliage seasonal_foliage(const PlantTraits& plant, int month) {
   SeasonalFoliage out;
   out.fresh = in_crown(plant.shape.leaf_colour);
   out.turned = in_crown(plant.shape.autumn_colour);
-  out.turn = plant.shape.evergreen ? 0.25F * turning[m] : turning[m];
+  const float turn = herb ? ripe[m] : turning[m];
+  out.turn = plant.shape.evergreen ? 0.25F * turn : turn;
   // What comes out in April is new; last year's grass still stands.
   if (!herb && m == 3) out.turn = 0;
   for (std::size_t i = 0; i < 3; ++i) out.colour[i] = out.fresh[i] + (out.turned[i] - out.fresh[i]) * out.turn;
@@ -224,7 +243,7 @@ SeasonalFoliage seasonal_foliage(const PlantTraits& plant, int month) {
 
 GroundColours colour_ground(const MapsSnapshot& snapshot, int month, const SpeciesVisibility& visible, int stride,
                             const Rect& rect) {
-  const GroundPainter painter(snapshot, month, visible);
+  const GroundPainter painter(snapshot, northern_month(month, snapshot.terrain().latitude), visible);
   GroundColours out{Grid<Rgba>(rect.width(), rect.height()), Grid<Rgba>(rect.width(), rect.height())};
   for (int y = rect.y0; y < rect.y1; ++y) {
     for (int x = rect.x0; x < rect.x1; ++x) {

@@ -37,8 +37,8 @@ struct GroundColours {
 [[nodiscard]] GroundColours colour_ground(const MapsSnapshot& snapshot, int month, const SpeciesVisibility& visible, int stride,
                                           const Rect& rect);
 
-/// Leaf colour of a plant in a month, linear, between what it is before leaves turn and after; `turn` (0..1) tells how many have,
-/// `bare` (0..1) how many have fallen.
+/// Leaf colour of a plant in a month of the northern hemisphere (northern_month), linear, between what it is before leaves turn
+/// and after; `turn` (0..1) tells how many have, `bare` (0..1) how many have fallen.
 struct SeasonalFoliage {
   std::array<float, 3> colour{};
   std::array<float, 3> fresh{};

@@ -5,7 +5,6 @@
 
 #include "core/base/parallel.hpp"
 #include "render/changed_tiles.hpp"
-#include "render/plant_placement.hpp"
 #include "render/terrain_shadow.hpp"
 #include "render/water_flow.hpp"
 
@@ -151,51 +150,70 @@ Grid<std::uint8_t> wet_squares(const Terrain& terrain, const ShoreMap& shore) {
 }
 
 /// How water moves; still where there is none.
-TexelPyramid<Rgba> currents_of(const Terrain& terrain, const Hydrology* hydrology) {
+TexelPyramid<Rgba> currents_of(const Terrain& terrain, const Hydrology* hydrology, const FordLook& fords) {
   TexelPyramid<Rgba> out;
   const Grid<Rgba> still(1, 1, Rgba{128, 128, 0, 0});
   out.levels.push_back(shared_tiles<Rgba>(
-      hydrology != nullptr ? water_flow(terrain, *hydrology, stride_for(terrain.height, longest_currents)) : still, nullptr));
+      hydrology != nullptr ? water_flow(terrain, *hydrology, stride_for(terrain.height, longest_currents), fords) : still,
+      nullptr));
   return out;
 }
 
-/// What PlantPlacement asks of trails, in tiles that are shared where it is the same.
-TiledMap<std::uint8_t> trodden_ground(const TrailNetwork* trails, const GroundLines* before) {
-  if (trails == nullptr || trails->wear.empty()) return {};
-  Grid<std::uint8_t> trodden(trails->wear.width(), trails->wear.height(), 0);
-  parallel_rows(0, trodden.height(), [&](int y) {
-    const auto wear = trails->wear.row(y);
-    std::transform(wear.begin(), wear.end(), trodden.row(y).begin(),
-                   [](float w) { return std::uint8_t(w > trodden_wear ? 1 : 0); });
-  });
-  return shared_tiles(trodden, before != nullptr ? &before->trodden : nullptr);
+/// True when a person placed the same fords in both.
+bool same_fords(const Places* a, const Places* b) {
+  const std::vector<PlacedFord> none;
+  return a == b || (a != nullptr ? a->fords : none) == (b != nullptr ? b->fords : none);
 }
 
-std::shared_ptr<const GroundLines> make_lines(const MapsSnapshot& snapshot, const GroundLines* before, bool same_water) {
+/// What is alike in two snapshots, so that lines drawn for one are good for the other.
+struct Alike {
+  bool ground = false;
+  bool water = false;
+  bool trails = false;
+};
+
+void draw_water_lines(const MapsSnapshot& snapshot, const GroundLines* before, const Alike& alike, GroundLines& out) {
   const Terrain& terrain = snapshot.terrain();
-  auto out = std::make_shared<GroundLines>();
-  if (before != nullptr && same_water) {
-    out->shore = before->shore;
-    out->near_water = before->near_water;
-    out->currents = before->currents;
+  const FordLook fords(snapshot.ground());
+  // Where water is drawn does not depend on the ground's height, how it moves does.
+  if (before != nullptr && alike.water) {
+    out.shore = before->shore;
+    out.near_water = before->near_water;
   } else {
     const int scale = line_field_scale(terrain.height.width(), terrain.height.height(), longest_lines);
-    out->shore = std::make_shared<const ShoreMap>(ShoreMap{
-        scale, snapshot.hydrology ? shore_field(terrain, *snapshot.hydrology, scale)
+    out.shore = std::make_shared<const ShoreMap>(ShoreMap{
+        scale, snapshot.hydrology ? shore_field(terrain, *snapshot.hydrology, scale, fords)
                                   : Grid<std::uint8_t>(terrain.height.width() * scale, terrain.height.height() * scale, 0)});
-    out->near_water = wet_squares(terrain, *out->shore);
-    out->currents = currents_of(terrain, snapshot.hydrology.get());
+    out.near_water = wet_squares(terrain, *out.shore);
+  }
+  out.currents =
+      before != nullptr && alike.water && alike.ground ? before->currents : currents_of(terrain, snapshot.hydrology.get(), fords);
+}
+
+std::shared_ptr<const GroundLines> make_lines(const MapsSnapshot& snapshot, const GroundLines* before, const Alike& alike) {
+  const Terrain& terrain = snapshot.terrain();
+  auto out = std::make_shared<GroundLines>();
+  draw_water_lines(snapshot, before, alike, *out);
+  if (before != nullptr && alike.water && alike.trails) {
+    out->lines = before->lines;
+    out->trails = before->trails;
+    return out;
   }
   const Grid<std::uint8_t>& shore = out->shore->codes;
-  const Grid<std::uint8_t> wear = snapshot.trails ? wear_field(terrain, *snapshot.trails, out->shore->scale)
-                                                  : Grid<std::uint8_t>(shore.width(), shore.height(), 0);
+  const int scale = out->shore->scale;
+  const Grid<std::uint8_t> wear =
+      snapshot.trails ? wear_field(terrain, *snapshot.trails, scale) : Grid<std::uint8_t>(shore.width(), shore.height(), 0);
   Grid<Rg> lines(shore.width(), shore.height());
   parallel_rows(0, lines.height(), [&](int y) {
     for (int x = 0; x < lines.width(); ++x) lines(x, y) = {shore(x, y), wear(x, y)};
   });
   out->lines = with_mipmaps(shared_tiles(lines, before != nullptr ? finest(&before->lines) : nullptr),
                             before != nullptr ? &before->lines : nullptr);
-  out->trodden = trodden_ground(snapshot.trails.get(), before);
+  if (before != nullptr && alike.trails) {
+    out->trails = before->trails;
+  } else if (snapshot.trails) {
+    out->trails = std::make_shared<const TrailLines>(terrain, *snapshot.trails, soft_edge(terrain, scale));
+  }
   return out;
 }
 
@@ -224,14 +242,17 @@ std::shared_ptr<const GroundPicture> make_ground(const GroundRequest& request, c
   if (before != nullptr && (before->coarse || !same_extent(before->terrain(), snapshot.terrain()))) before = nullptr;
   const MapsSnapshot* then = before != nullptr ? before->of.snapshot.get() : nullptr;
   const Strides strides{1, stride_for(snapshot.terrain().height, longest_texture)};
-  const bool same_water = then != nullptr && then->surface() == snapshot.surface() && then->hydrology == snapshot.hydrology;
-  const bool same_form = same_water && then->trails == snapshot.trails;
+  Alike alike;
+  if (then != nullptr) {
+    const bool water = then->hydrology == snapshot.hydrology && same_fords(then->places.get(), snapshot.places.get());
+    alike = {then->surface() == snapshot.surface(), water, then->trails == snapshot.trails};
+  }
+  const bool same_form = alike.ground && alike.water && alike.trails;
   auto picture = std::make_shared<GroundPicture>();
   picture->of = request;
   picture->shape = same_form ? before->shape : make_shape(snapshot, strides, before != nullptr ? before->shape.get() : nullptr);
   if (stop.stop_requested()) return nullptr;
-  picture->lines =
-      same_form ? before->lines : make_lines(snapshot, before != nullptr ? before->lines.get() : nullptr, same_water);
+  picture->lines = same_form ? before->lines : make_lines(snapshot, before != nullptr ? before->lines.get() : nullptr, alike);
   if (stop.stop_requested()) return nullptr;
   picture->tints = make_tints(request, strides.cells_a_texel(), before);
   if (stop.stop_requested()) return nullptr;
@@ -250,7 +271,7 @@ std::shared_ptr<const GroundPicture> make_coarse_ground(const GroundRequest& req
   auto lines = std::make_shared<GroundLines>();
   lines->near_water = dry_squares(terrain);
   lines->lines.levels.push_back(shared_tiles<Rg>(Grid<Rg>(1, 1), nullptr));
-  lines->currents = currents_of(terrain, nullptr);
+  lines->currents = currents_of(terrain, nullptr, {});
   picture->lines = std::move(lines);
   picture->tints = make_tints(request, strides.cells_a_texel(), nullptr);
   picture->light = make_light(request, *picture->shape);

@@ -8,6 +8,7 @@
 #include "render/line_field.hpp"
 #include "render/terrain_mesh.hpp"
 #include "render/texel_pyramid.hpp"
+#include "render/trail_lines.hpp"
 
 namespace biotope {
 
@@ -44,8 +45,8 @@ struct GroundLines {
   /// Squares of ground_patch_cells cells with water in them or near, counted from the south-west.
   Grid<std::uint8_t> near_water;
   TexelPyramid<Rg> lines;  ///< shore and wear of a LineField
-  /// 1 where trails leave no room for plants (by cell); empty without trails.
-  TiledMap<std::uint8_t> trodden;
+  /// Where trails are drawn; null without trails.
+  std::shared_ptr<const TrailLines> trails;
   TexelPyramid<Rgba> currents;  ///< how the water moves: see water_flow()
 };
 

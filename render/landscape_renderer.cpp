@@ -10,6 +10,9 @@
 #include "render/fall_renderer.hpp"
 #include "render/frame.hpp"
 #include "render/plant_renderer.hpp"
+#include "render/plant_shadows.hpp"
+#include "render/screen_effects.hpp"
+#include "render/shadow_map.hpp"
 #include "render/sky_renderer.hpp"
 #include "render/terrain_renderer.hpp"
 
@@ -22,6 +25,26 @@ namespace {
 constexpr double least_plant_milliseconds = 8;
 constexpr double most_plant_milliseconds = 40;
 constexpr double plant_share = 0.4;
+/// Quality from which on single trees and animals throw shadows.
+constexpr float shadow_quality = 2;
+/// Qualities from which on edges are smoothed (and water mirrors) and corners shaded.
+constexpr float smooth_quality = 2;
+constexpr float occlusion_quality = 4;
+
+/// What is done to a picture of that size. A tile does not know what is beside it.
+struct Effects {
+  bool smooth = false;
+  bool occlusion = false;
+  bool reflections = false;
+  [[nodiscard]] bool any() const { return smooth || occlusion || reflections; }
+};
+Effects effects_of(const LandscapeOptions& options, int width, int height) {
+  std::array<GLint, 4> viewport{};
+  glGetIntegerv(GL_VIEWPORT, viewport.data());
+  if (options.corner != glm::ivec2(0) || viewport[2] != width || viewport[3] != height) return {};
+  return {options.smooth_edges && options.quality >= smooth_quality, options.occlusion && options.quality >= occlusion_quality,
+          options.reflections && options.water && options.shadows && options.quality >= smooth_quality};
+}
 
 PlantLook plant_look(const LandscapeOptions& options) { return {options.month, options.visible_species, options.quality}; }
 
@@ -48,8 +71,14 @@ struct LandscapeRenderer::State {
   std::unique_ptr<TerrainRenderer> terrain;
   std::unique_ptr<AnimalRenderer> animals;
   std::unique_ptr<PlantRenderer> plants;
-  /// The ground the plants stand on.
+  /// The ground the plants stand on, and the maps they were last placed by.
   std::shared_ptr<const GroundPicture> planted;
+  std::shared_ptr<const MapsSnapshot> planted_maps;
+  PlantShadows plant_shadows;
+  ShadowMap shadow_map;
+  ScreenEffects effects;
+  /// Of the picture that is being drawn.
+  Effects shown_effects;
   SkyRenderer sky;
   FallRenderer fall;
   Buffer frame_buffer = make_buffer();
@@ -63,11 +92,16 @@ struct LandscapeRenderer::State {
   bool brought_in = false;
   /// The ground that was drawn last.
   std::shared_ptr<const GroundPicture> drawn_ground;
+  glm::vec2 drawn_planes{1, 1000};
 
-  FrameUniforms frame(const Camera& camera, const LandscapeOptions& options, const Daylight& light, int width, int height) const;
+  FrameUniforms frame(const Camera& camera, const LandscapeOptions& options, const Daylight& light, int width, int height);
   void follow_ground();
   void follow_animals();
+  /// Prepares the animals, and draws what the light sees where shadows are shown. True where they are.
+  bool draw_shadows(const Camera& camera, const LandscapeOptions& options, const Daylight& light, const Frustum& frustum,
+                    bool with_plants);
   void draw_world(const Camera& camera, const LandscapeOptions& options, const Daylight& light, FrameUniforms& frame);
+  void draw_picture(const Camera& camera, const LandscapeOptions& options, int width, int height);
   void count(const DrawCount& drawn);
   double plant_milliseconds();
   /// When the last picture was begun.
@@ -89,6 +123,12 @@ Result<std::unique_ptr<LandscapeRenderer>> LandscapeRenderer::create() {
   auto plants = PlantRenderer::create();
   if (!plants) return tl::unexpected(plants.error());
   state.plants = std::move(*plants);
+  auto shadows = PlantShadows::create();
+  if (!shadows) return tl::unexpected(shadows.error());
+  state.plant_shadows = std::move(*shadows);
+  auto effects = ScreenEffects::create();
+  if (!effects) return tl::unexpected(effects.error());
+  state.effects = std::move(*effects);
   auto sky = SkyRenderer::create();
   if (!sky) return tl::unexpected(sky.error());
   state.sky = std::move(*sky);
@@ -108,25 +148,35 @@ void LandscapeRenderer::set_snapshot(std::shared_ptr<const MapsSnapshot> snapsho
   state_->terrain->set_snapshot(std::move(snapshot));
 }
 
-/// Plants stand on the ground that is in sight: they follow when a picture of it is whole.
+/// Plants stand on the ground that is in sight: they follow a change of it when its picture is whole.
 void LandscapeRenderer::State::follow_ground() {
   const std::shared_ptr<const GroundPicture>& ground = terrain->shown();
-  if (!terrain->ready() || ground->coarse || ground == planted) return;
-  if (!planted || planted->of.snapshot != ground->of.snapshot) {
-    plants->set_snapshot(ground->of.snapshot, std::shared_ptr<const GroundLines>(ground, ground->lines.get()));
+  if (!terrain->ready() || ground->coarse) return;
+  // On a ground of the same form they need not wait for its picture.
+  const MapsSnapshot& of = *ground->of.snapshot;
+  const bool same_form =
+      of.surface() == snapshot->surface() && of.hydrology == snapshot->hydrology && of.trails == snapshot->trails;
+  const bool same_lines = planted && planted->lines == ground->lines;
+  // Nor do they go back to older ones while the picture of a newer form is being made.
+  const bool newer = same_lines && planted->shape == ground->shape && planted_maps->revision > of.revision;
+  const std::shared_ptr<const MapsSnapshot> maps = same_form ? snapshot : newer ? planted_maps : ground->of.snapshot;
+  if (planted_maps != maps || !same_lines) {
+    plants->set_snapshot(maps, std::shared_ptr<const GroundLines>(ground, ground->lines.get()));
   }
   planted = ground;
+  planted_maps = maps;
 }
 
-/// Animals drink where water is drawn.
+/// Animals drink where water is drawn, and walk around the trunks that are drawn.
 void LandscapeRenderer::State::follow_animals() {
   const bool drawn = planted && planted->lines && planted->of.snapshot->hydrology == snapshot->hydrology &&
                      same_extent(planted->terrain(), snapshot->terrain());
-  animals->set_world(*snapshot, drawn ? planted->lines->shore : nullptr);
+  const bool grown = planted && same_extent(planted->terrain(), snapshot->terrain());
+  animals->set_world(*snapshot, drawn ? planted->lines->shore : nullptr, grown ? plants->placement() : PlantPlacement());
 }
 
 FrameUniforms LandscapeRenderer::State::frame(const Camera& camera, const LandscapeOptions& options, const Daylight& light,
-                                              int width, int height) const {
+                                              int width, int height) {
   const Terrain& ground = snapshot->terrain();
   const glm::vec2 heights = terrain->ready() ? terrain->height_range() : glm::vec2(0, 1);
   const double above = camera.position.z - ground_height(ground, camera.position.x, camera.position.y);
@@ -134,6 +184,7 @@ FrameUniforms LandscapeRenderer::State::frame(const Camera& camera, const Landsc
   const AirLayer air{heights.x, heights.y, float(std::max(ground.width_metres(), ground.height_metres())), float(above)};
   const float far_plane = 4.5F * air.extent + float(std::abs(above)) + (heights.y - heights.x);
   FrameUniforms out;
+  drawn_planes = {near_plane, far_plane};
   set_view(out, camera, width, height, near_plane, far_plane);
   set_light(out, light, ground.latitude, options.month);
   set_weather(out, options.weather, options.seconds);
@@ -158,6 +209,27 @@ void LandscapeRenderer::State::count(const DrawCount& drawn) {
   statistics.triangles += drawn.triangles;
 }
 
+bool LandscapeRenderer::State::draw_shadows(const Camera& camera, const LandscapeOptions& options, const Daylight& light,
+                                            const Frustum& frustum, bool with_plants) {
+  const bool drawn = options.shadows && options.quality >= shadow_quality;
+  const Terrain& ground = snapshot->terrain();
+  const double above = std::max(0.5, camera.position.z - ground_height(ground, camera.position.x, camera.position.y));
+  const ShadowView view = shadow_view(camera, above, light.light_direction, light.shadows);
+  follow_animals();
+  animals->prepare(*snapshot, options, camera.position, frustum, terrain->surface(), drawn ? &view : nullptr);
+  if (!drawn) return false;
+  const DrawnElsewhere elsewhere(shadow_texels, shadow_texels);
+  shadow_map.begin(view);
+  for (int cascade = 0; cascade < shadow_cascades; ++cascade) {
+    shadow_map.open(cascade);
+    if (view.strength <= 0) continue;
+    if (with_plants) count(plant_shadows.draw(*plants, options.visible_species, camera.position, view, cascade));
+    count(animals->draw_shadows(cascade));
+  }
+  shadow_map.end();
+  return true;
+}
+
 void LandscapeRenderer::State::draw_world(const Camera& camera, const LandscapeOptions& options, const Daylight& light,
                                           FrameUniforms& frame) {
   const Terrain& ground = snapshot->terrain();
@@ -168,22 +240,32 @@ void LandscapeRenderer::State::draw_world(const Camera& camera, const LandscapeO
     plants_complete = plants->prepare(plant_look(options), camera.position, frame, frustum, plant_milliseconds());
     frame.shade_area = PlantRenderer::shade_area(camera.position,
                                                  camera.position.z - ground_height(ground, camera.position.x, camera.position.y));
+    // Under clouds light comes from all sides.
+    frame.shade_area.w = glm::mix(0.55F, 1.0F, light.shadows);
     look.canopy_from = plants->canopy_range().x;
     look.canopy_whole = plants->canopy_range().y;
   }
   stream(frame_buffer, std::span<const FrameUniforms>(&frame, 1));
   glBindBufferBase(GL_UNIFORM_BUFFER, frame_binding, frame_buffer.name());
-  if (with_plants) count(plants->draw_shade(frame.shade_area, light.light_direction));
-  // Plants before the ground: what they hide need not be shaded.
   terrain->bind_shared();
+  if (with_plants) count(plants->draw_shade(frame.shade_area, light.light_direction));
+  look.shadows = draw_shadows(camera, options, light, frustum, with_plants);
+  // Plants before the ground: what they hide need not be shaded.
   if (with_plants) {
-    count(plants->draw());
+    count(plants->draw(look.shadows));
     statistics.plants = plants->plants_drawn();
     statistics.instance_bytes = plants->bytes();
+    statistics.most_instance_bytes = plants->most_bytes();
+  }
+  if (shown_effects.reflections) {
+    effects.keep_for_water();
+    look.mirrored = drawn_planes;
   }
   count(terrain->draw(look, camera.position, frustum));
-  follow_animals();
-  count(animals->draw(*snapshot, options, camera.position, frustum, terrain->surface(), statistics.animals));
+  count(animals->draw(options, look.shadows));
+  statistics.animals = animals->drawn().size();
+  statistics.instance_bytes += animals->bytes();
+  statistics.most_instance_bytes += AnimalRenderer::most_bytes();
 }
 
 bool LandscapeRenderer::bring_in(const LandscapeOptions& options) {
@@ -200,6 +282,9 @@ bool LandscapeRenderer::bring_in(const LandscapeOptions& options) {
 void LandscapeRenderer::draw(const Camera& camera, const LandscapeOptions& options, int width, int height) {
   State& state = *state_;
   state.statistics = {};
+  const Effects effects = state.shown_effects =
+      state.snapshot && width > 0 && height > 0 ? effects_of(options, width, height) : Effects{};
+  if (effects.any()) state.effects.begin();
   glViewport(-options.corner.x, -options.corner.y, width, height);
   glDisable(GL_BLEND);
   glDisable(GL_SCISSOR_TEST);
@@ -210,24 +295,28 @@ void LandscapeRenderer::draw(const Camera& camera, const LandscapeOptions& optio
   glClearColor(0.45F, 0.5F, 0.55F, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   if (!state.snapshot || width <= 0 || height <= 0) return;
-
-  const Terrain& ground = state.snapshot->terrain();
-  const Daylight light = under(daylight(ground.latitude, options.month, options.hour), options.weather);
   if (!state.brought_in) bring_in(options);
   state.brought_in = false;
-  state.drawn_ground = state.terrain->shown();
-  state.plants_complete = true;
-  FrameUniforms frame = state.frame(camera, options, light, width, height);
-  if (state.terrain->ready()) {
-    state.draw_world(camera, options, light, frame);
-  } else {
-    stream(state.frame_buffer, std::span<const FrameUniforms>(&frame, 1));
-    glBindBufferBase(GL_UNIFORM_BUFFER, frame_binding, state.frame_buffer.name());
-  }
-  state.sky.draw(light.night, options.quality);
-  state.count({1, 1});
-  if (const int quads = state.fall.draw(options.weather, options.quality); quads > 0) state.count({2, std::size_t(2 * quads)});
+  state.draw_picture(camera, options, width, height);
+  if (effects.any()) state.effects.end(state.drawn_planes, effects.smooth, effects.occlusion);
   glBindVertexArray(0);
+}
+
+void LandscapeRenderer::State::draw_picture(const Camera& camera, const LandscapeOptions& options, int width, int height) {
+  const Terrain& ground = snapshot->terrain();
+  const Daylight light = under(daylight(ground.latitude, options.month, options.hour), options.weather);
+  drawn_ground = terrain->shown();
+  plants_complete = true;
+  FrameUniforms uniforms = frame(camera, options, light, width, height);
+  if (terrain->ready()) {
+    draw_world(camera, options, light, uniforms);
+  } else {
+    stream(frame_buffer, std::span<const FrameUniforms>(&uniforms, 1));
+    glBindBufferBase(GL_UNIFORM_BUFFER, frame_binding, frame_buffer.name());
+  }
+  sky.draw(light.night, options.quality);
+  count({1, 1});
+  if (const int quads = fall.draw(options.weather, options.quality); quads > 0) count({2, std::size_t(2 * quads)});
 }
 
 void LandscapeRenderer::finish_loading(const Camera& camera, const LandscapeOptions& options) {
@@ -242,6 +331,8 @@ bool LandscapeRenderer::complete() const { return state_->ground_complete && sta
 
 const LandscapeStatistics& LandscapeRenderer::statistics() const { return state_->statistics; }
 
+glm::vec2 LandscapeRenderer::depth_planes() const { return state_->drawn_planes; }
+
 std::span<const AnimalAt> LandscapeRenderer::animals() const { return state_->animals->drawn(); }
 
 const PlantPlacement& LandscapeRenderer::plants() const { return state_->plants->placement(); }
@@ -249,7 +340,7 @@ const PlantPlacement& LandscapeRenderer::plants() const { return state_->plants-
 std::optional<AnimalAt> LandscapeRenderer::animal(int plan, int member, double hour) {
   if (!state_->snapshot || !state_->terrain->ready()) return std::nullopt;
   state_->follow_animals();
-  return state_->animals->animal(*state_->snapshot, plan, member, hour, state_->terrain->surface());
+  return state_->animals->animal(plan, member, hour, state_->terrain->surface());
 }
 
 }  // namespace biotope

@@ -28,6 +28,13 @@ struct LandscapeOptions {
   bool water = true;
   /// Multiplies distances and counts of plants: 0.5 low, 1 medium, 2 high.
   float quality = 1;
+  /// Shadows of single trees and animals, from quality 2 on; below, the shade of crowns is drawn all the same.
+  bool shadows = true;
+  /// Edges are smoothed, from quality 2 on; corners and what stands in the grass are shaded, at quality 4. Not in tiles.
+  bool smooth_edges = true;
+  bool occlusion = true;
+  /// Water mirrors the plants around it, from quality 2 on; otherwise only their colour. Not in tiles.
+  bool reflections = true;
   /// Per species number of the web: false hides it. Empty shows all.
   std::vector<bool> visible_species;
   /// Brush ring on the ground: cell x, y, radius in cells.
@@ -42,7 +49,9 @@ struct LandscapeStatistics {
   std::size_t triangles = 0;
   std::size_t plants = 0;
   std::size_t animals = 0;
+  /// Memory of plants and of the runs of herds, and the most it may become.
   std::size_t instance_bytes = 0;
+  std::size_t most_instance_bytes = 0;
 };
 
 /// Draws a MapsSnapshot in 3D: terrain, water, sky, trails, instanced procedural plants with level of detail, herds at their
@@ -69,6 +78,8 @@ class LandscapeRenderer {
   /// False while ground or plants of the last view drawn are still being made: draw again soon.
   [[nodiscard]] bool complete() const;
   [[nodiscard]] const LandscapeStatistics& statistics() const;
+  /// Nearest and farthest depth of the last draw(), m: what its depth buffer's 0 and 1 stand for.
+  [[nodiscard]] glm::vec2 depth_planes() const;
   /// The animals of the last draw(): those in the picture, as far as they can be told apart.
   [[nodiscard]] std::span<const AnimalAt> animals() const;
   /// Where the plants that are drawn stand, and of which snapshot; it has no snapshot before the first picture of the ground.

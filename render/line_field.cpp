@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/parallel.hpp"
+#include "render/trail_lines.hpp"
 
 namespace biotope {
 
@@ -84,12 +85,13 @@ std::optional<std::uint32_t> downstream(const Hydrology& hydrology, std::uint32_
 
 /// The line of a reach, on to the junction or lake that it flows into; every other cell is left out so that the staircase of D8
 /// cells becomes a curve.
-std::vector<LinePoint> reach_line(const RiverReach& reach, const Hydrology& hydrology) {
+std::vector<LinePoint> reach_line(const RiverReach& reach, const Hydrology& hydrology, const FordLook& fords) {
   std::vector<LinePoint> line;
   const int width = hydrology.water.width();
   const auto add = [&](std::uint32_t cell, float discharge) {
-    line.push_back(
-        {glm::vec2(float(int(cell) % width), float(int(cell) / width)), 0.5F * std::max(river_width(discharge), 0.7F)});
+    const glm::vec2 at(float(int(cell) % width), float(int(cell) / width));
+    const float half_width = 0.5F * std::max(river_width(discharge), 0.7F);
+    line.push_back({at, ford_half_width(half_width, fords.share(double(at.x), double(at.y)))});
   };
   for (std::size_t i = 0; i < reach.cells.size(); ++i) {
     if (i % 2 == 0 || i + 1 == reach.cells.size()) add(reach.cells[i], hydrology.discharge[reach.cells[i]]);
@@ -103,7 +105,7 @@ std::vector<LinePoint> reach_line(const RiverReach& reach, const Hydrology& hydr
 
 int line_field_scale(int width, int height, int longest) { return std::clamp(longest / std::max({width, height, 1}), 1, 4); }
 
-Grid<std::uint8_t> shore_field(const Terrain& terrain, const Hydrology& hydrology, int scale) {
+Grid<std::uint8_t> shore_field(const Terrain& terrain, const Hydrology& hydrology, int scale, const FordLook& fords) {
   const int width = terrain.height.width() * scale;
   const int height = terrain.height.height() * scale;
   Grid<std::uint8_t> shore(width, height, 0);
@@ -115,7 +117,7 @@ Grid<std::uint8_t> shore_field(const Terrain& terrain, const Hydrology& hydrolog
     }
   });
   for (const RiverReach& reach : hydrology.reaches) {
-    const std::vector<LinePoint> line = reach_line(reach, hydrology);
+    const std::vector<LinePoint> line = reach_line(reach, hydrology, fords);
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
       along_segment(line[i], line[i + 1], width, height, scale, terrain.cell_size, shore_reach,
                     [&](int x, int y, float inside) { shore(x, y) = std::max(shore(x, y), shore_code(inside)); });
@@ -124,26 +126,22 @@ Grid<std::uint8_t> shore_field(const Terrain& terrain, const Hydrology& hydrolog
   return shore;
 }
 
+float soft_edge(const Terrain& terrain, int scale) { return 0.5F + float(terrain.cell_size) / float(scale); }
+
 Grid<std::uint8_t> wear_field(const Terrain& terrain, const TrailNetwork& trails, int scale) {
   const int width = terrain.height.width() * scale;
   const int height = terrain.height.height() * scale;
   Grid<std::uint8_t> wear(width, height, 0);
-  float heaviest = 0;
-  for (const TrailRoute& route : trails.routes) {
-    for (const float weight : route.weight) heaviest = std::max(heaviest, weight);
-  }
+  const float heaviest = heaviest_weight(trails);
   if (heaviest <= 0) return wear;
-  const float metres = float(terrain.cell_size) / float(scale);
+  const float soft = soft_edge(terrain, scale);
   for (const TrailRoute& route : trails.routes) {
     for (std::size_t i = 0; i + 1 < route.points.size(); ++i) {
-      const float use = std::pow(std::clamp(route.weight[i] / heaviest, 0.0F, 1.0F), 0.3F);
-      const float half = 0.25F + 0.75F * use;
-      const LinePoint a{{route.points[i].x, route.points[i].y}, half};
-      const LinePoint b{{route.points[i + 1].x, route.points[i + 1].y}, half};
-      const float soft = 0.5F + metres;
+      const float use = trail_use(route.weight[i], heaviest);
+      const LinePoint a{{route.points[i].x, route.points[i].y}, trail_half_width(use)};
+      const LinePoint b{{route.points[i + 1].x, route.points[i + 1].y}, trail_half_width(use)};
       along_segment(a, b, width, height, scale, terrain.cell_size, soft, [&](int x, int y, float inside) {
-        const float worn = std::clamp(inside / soft + 1, 0.0F, 1.0F) * (0.35F + 0.65F * use);
-        wear(x, y) = std::max(wear(x, y), std::uint8_t(worn * 255));
+        wear(x, y) = std::max(wear(x, y), std::uint8_t(worn_share(inside, use, soft) * 255));
       });
     }
   }

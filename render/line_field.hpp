@@ -7,11 +7,12 @@
 #include "core/movement/trails.hpp"
 #include "core/terrain/hydrology.hpp"
 #include "core/terrain/terrain.hpp"
+#include "render/ford_look.hpp"
 
 namespace biotope {
 
-/// Water and trails on a grid finer than the terrain, so that a brook or a trail narrower than a cell keeps its width and reads as one
-/// line from any height.
+/// Water and trails on a grid finer than the terrain, so that a brook or a trail narrower than a cell keeps its width and reads
+/// as one line from any height.
 struct LineField {
   /// Fine cells per terrain cell.
   int scale = 1;
@@ -34,9 +35,13 @@ struct ShoreMap {
   Grid<std::uint8_t> codes;
 };
 
-/// Distance to the shore of lakes and sea (from their cells) and of rivers (from their reaches, smoothed, with the width of their discharge).
-[[nodiscard]] Grid<std::uint8_t> shore_field(const Terrain& terrain, const Hydrology& hydrology, int scale);
-/// Worn earth along the routes of a network: 0.5 m wide where little used, up to 2 m.
+/// Distance to the shore of lakes and sea (from their cells) and of rivers (from their reaches, smoothed, with the width of their
+/// discharge, wider at fords).
+[[nodiscard]] Grid<std::uint8_t> shore_field(const Terrain& terrain, const Hydrology& hydrology, int scale,
+                                             const FordLook& fords = {});
+/// Along the edges of a trail its earth gives way to what grows over this width, m: no less than a fine cell can show.
+[[nodiscard]] float soft_edge(const Terrain& terrain, int scale);
+/// Worn earth along the routes of a network: 0.5 m wide where little used, up to 2 m (TrailLines tells the same exactly).
 [[nodiscard]] Grid<std::uint8_t> wear_field(const Terrain& terrain, const TrailNetwork& trails, int scale);
 
 }  // namespace biotope

@@ -39,6 +39,8 @@ class RenderTarget {
   [[nodiscard]] int height() const { return height_; }
   /// OpenGL name of the colour texture (RGBA8, bottom row first as OpenGL does).
   [[nodiscard]] unsigned texture() const { return colour_; }
+  /// OpenGL name of the depth texture (32-bit floats, bottom row first).
+  [[nodiscard]] unsigned depth_texture() const { return depth_; }
   [[nodiscard]] Image read() const;
 
  private:

@@ -12,16 +12,19 @@ std::optional<std::uint32_t> SlotRuns::take(std::uint32_t count, std::uint32_t m
     const std::uint32_t left = run->second - count;
     free_.erase(run);
     if (left > 0) free_.emplace(first + count, left);
+    taken_ += count;
     return first;
   }
   if (count > most || end_ > most - count) return std::nullopt;
   const std::uint32_t first = end_;
   end_ += count;
+  taken_ += count;
   return first;
 }
 
 void SlotRuns::give_back(const Run& run) {
   if (run.count == 0) return;
+  taken_ -= run.count;
   auto [place, added] = free_.emplace(run.first, run.count);
   if (const auto next = std::next(place); next != free_.end() && place->first + place->second == next->first) {
     place->second += next->second;
@@ -36,17 +39,15 @@ void SlotRuns::give_back(const Run& run) {
   }
 }
 
-void PlantArena::make_room(std::uint32_t slots) {
-  if (slots <= room_) return;
-  std::uint32_t room = std::max<std::uint32_t>(room_, 1U << 14U);
-  while (room < slots) room += room / 2;
+void PlantArena::reserve(std::uint32_t plants) {
+  if (plants <= room_) return;
   Buffer larger = make_buffer();
-  glNamedBufferStorage(larger.name(), GLsizeiptr(room * sizeof(PlantInstance)), nullptr, GL_DYNAMIC_STORAGE_BIT);
-  if (room_ > 0) {
-    glCopyNamedBufferSubData(buffer_.name(), larger.name(), 0, 0, GLsizeiptr(room_ * sizeof(PlantInstance)));
+  glNamedBufferStorage(larger.name(), GLsizeiptr(plants * sizeof(PlantInstance)), nullptr, GL_DYNAMIC_STORAGE_BIT);
+  if (slots_.end() > 0) {
+    glCopyNamedBufferSubData(buffer_.name(), larger.name(), 0, 0, GLsizeiptr(slots_.end() * sizeof(PlantInstance)));
   }
   buffer_ = std::move(larger);
-  room_ = room;
+  room_ = plants;
 }
 
 bool PlantArena::put(const PlantBlock& block, Resident& resident, std::uint32_t most) {
@@ -57,7 +58,6 @@ bool PlantArena::put(const PlantBlock& block, Resident& resident, std::uint32_t 
   const auto first = slots_.take(count, most);
   if (!first) return false;
   resident.run = {*first, count};
-  make_room(slots_.end());
   glNamedBufferSubData(buffer_.name(), GLintptr(*first * sizeof(PlantInstance)), GLsizeiptr(count * sizeof(PlantInstance)),
                        block.plants.data());
   return true;
@@ -68,7 +68,8 @@ void PlantArena::evict(Places& places, Places::iterator place) {
   places.erase(place);
 }
 
-void PlantArena::follow(const PlantBlocks& blocks, Stratum stratum, std::uint32_t most, glm::dvec2 eye) {
+bool PlantArena::follow(const PlantBlocks& blocks, Stratum stratum, std::uint32_t most, glm::dvec2 eye, UploadBudget& budget) {
+  reserve(most);
   Places& places = places_[std::size_t(stratum)];
   const PlantBlocks::Map& wanted = blocks.blocks(stratum);
   for (auto place = places.begin(); place != places.end();) {
@@ -83,12 +84,13 @@ void PlantArena::follow(const PlantBlocks& blocks, Stratum stratum, std::uint32_
     const auto found = places.find(place);
     if (found == places.end() || found->second.version != block.version) changed.push_back(place);
   }
-  if (changed.empty()) return;
+  if (changed.empty()) return true;
   std::sort(changed.begin(), changed.end(), nearer);
   std::vector<std::pair<int, int>> evictable;
   for (const auto& entry : places) evictable.push_back(entry.first);
   std::sort(evictable.begin(), evictable.end(), nearer);
   for (const auto& place : changed) {
+    if (budget.spent()) return false;
     Resident resident;
     if (const auto found = places.find(place); found != places.end()) resident = found->second;
     places.erase(place);
@@ -99,8 +101,11 @@ void PlantArena::follow(const PlantBlocks& blocks, Stratum stratum, std::uint32_
       evictable.pop_back();
       there = put(wanted.at(place), resident, most);
     }
-    if (there) places[place] = resident;
+    if (!there) continue;
+    places[place] = resident;
+    budget.take(wanted.at(place).plants.size() * sizeof(PlantInstance));
   }
+  return true;
 }
 
 }  // namespace biotope

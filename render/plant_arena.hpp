@@ -9,6 +9,7 @@
 
 #include "render/gl_objects.hpp"
 #include "render/plant_blocks.hpp"
+#include "render/texel_upload.hpp"
 
 namespace biotope {
 
@@ -24,10 +25,13 @@ class SlotRuns {
   void give_back(const Run& run);
   /// One past the last slot that was ever used.
   [[nodiscard]] std::uint32_t end() const { return end_; }
+  /// Slots that are taken.
+  [[nodiscard]] std::uint32_t taken() const { return taken_; }
 
  private:
   std::map<std::uint32_t, std::uint32_t> free_;
   std::uint32_t end_ = 0;
+  std::uint32_t taken_ = 0;
 };
 
 /// Blocks of woody plants on the graphics side, each uploaded once and again when it changes, all in one buffer of bounded size.
@@ -40,17 +44,21 @@ class PlantArena {
   };
   using Places = std::map<std::pair<int, int>, Resident>;
 
-  /// Uploads what is new or changed of the blocks of a stratum and forgets those that are gone, with at most `most` plants of all
-  /// strata. Where there is not room for all, blocks far from the eye (metres) stay out.
-  void follow(const PlantBlocks& blocks, Stratum stratum, std::uint32_t most, glm::dvec2 eye);
+  /// Uploads what is new or changed of the blocks of a stratum, nearest to the eye (metres) first and as much as the budget
+  /// leaves, and forgets those that are gone, with at most `most` plants of all strata. Where there is not room for all, blocks
+  /// far from the eye stay out. Returns false when something is left to upload; what changed is then as it was.
+  bool follow(const PlantBlocks& blocks, Stratum stratum, std::uint32_t most, glm::dvec2 eye, UploadBudget& budget);
   [[nodiscard]] const Places& places(Stratum stratum) const { return places_[std::size_t(stratum)]; }
   [[nodiscard]] const Buffer& buffer() const { return buffer_; }
-  [[nodiscard]] std::size_t bytes() const { return std::size_t(room_) * sizeof(PlantInstance); }
+  /// Memory of the plants in the buffer, and of the buffer.
+  [[nodiscard]] std::size_t bytes() const { return std::size_t(slots_.taken()) * sizeof(PlantInstance); }
+  [[nodiscard]] std::size_t most_bytes() const { return std::size_t(room_) * sizeof(PlantInstance); }
 
  private:
   bool put(const PlantBlock& block, Resident& resident, std::uint32_t most);
   void evict(Places& places, Places::iterator place);
-  void make_room(std::uint32_t slots);
+  /// A buffer for so many plants at once: it is not made anew until more are allowed.
+  void reserve(std::uint32_t plants);
 
   SlotRuns slots_;
   Buffer buffer_;

@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/parallel.hpp"
-#include "render/changed_tiles.hpp"
 
 namespace biotope {
 
 namespace {
 
+/// Within this distance a change is filled in at once, m.
+constexpr double at_once_reach = 320;
 /// Blocks that are built side by side between two looks at the clock.
 constexpr std::ptrdiff_t blocks_at_once = 8;
 
@@ -24,66 +26,44 @@ bool same_plants(const MapsSnapshot& a, const MapsSnapshot& b) {
 }  // namespace
 
 void PlantBlocks::set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot, std::shared_ptr<const GroundLines> lines) {
-  const std::shared_ptr<const MapsSnapshot> before = std::move(snapshot_);
-  const std::shared_ptr<const GroundLines> lines_before = std::move(lines_);
-  snapshot_ = std::move(snapshot);
-  lines_ = std::move(lines);
-  const bool eaten_otherwise = follow_grazing(before.get());
-  placement_ = PlantPlacement(snapshot_, lines_ && snapshot_->hydrology ? lines_->shore : nullptr, grazing_);
+  const std::shared_ptr<const MapsSnapshot> before = std::exchange(snapshot_, std::move(snapshot));
+  const PlantGround ground_before = placement_.ground();
+  PlantGround ground{snapshot_, nullptr, nullptr, grazing_of(*snapshot_)};
+  if (lines && snapshot_->hydrology) ground.shore = lines->shore;
+  if (lines && snapshot_->trails) ground.trails = lines->trails;
+  placement_ = PlantPlacement(std::move(ground));
   const bool kept = before && same_extent(before->terrain(), snapshot_->terrain()) &&
                     before->document.seed == snapshot_->document.seed && same_plants(*before, *snapshot_) &&
                     before->cover.size() == snapshot_->cover.size();
   if (kept) {
-    mark_changed(*before, lines_before.get());
-    for (auto& [place, block] : blocks_[std::size_t(Stratum::herb)]) block.stale = block.stale || eaten_otherwise;
+    mark_changed(ground_before);
   } else {
     blocks_ = {};
   }
 }
 
-bool PlantBlocks::follow_grazing(const MapsSnapshot* before) {
-  // Until the animals of an edit are known, herbs stay as those before it left them.
-  const bool known =
-      snapshot_->complete || !before || before->web != snapshot_->web || !same_extent(before->terrain(), snapshot_->terrain());
-  if (!known) return false;
-  auto now = std::make_shared<const Grazing>(*snapshot_);
-  if (grazing_ && now->same_as(*grazing_)) return false;
-  grazing_ = std::move(now);
-  return true;
+std::shared_ptr<const Grazing> PlantBlocks::grazing_of(const MapsSnapshot& snapshot) const {
+  const std::shared_ptr<const Grazing> before = placement_.ground().grazing;
+  const MapsSnapshot* then = placement_.snapshot();
+  const bool known = snapshot.complete || !snapshot.animals.empty() || then == nullptr || !same_plants(*then, snapshot) ||
+                     !same_extent(then->terrain(), snapshot.terrain());
+  if (!known) return before;
+  auto now = std::make_shared<const Grazing>(snapshot);
+  return before && now->same_as(*before) ? before : now;
 }
 
-void PlantBlocks::mark_changed(const MapsSnapshot& before, const GroundLines* lines_before) {
-  Grid<std::uint8_t> changed = changed_cover(*snapshot_, before);
-  const TiledMap<std::uint8_t>* now = lines_ ? &lines_->trodden : nullptr;
-  const TiledMap<std::uint8_t>* then = lines_before != nullptr ? &lines_before->trodden : nullptr;
-  const bool comparable = now != nullptr && then != nullptr && now->rect() == then->rect();
-  const bool other_ground = before.surface() != snapshot_->surface() || before.hydrology != snapshot_->hydrology;
-  if (other_ground || (before.trails != snapshot_->trails && !comparable)) {
-    std::fill(changed.cells().begin(), changed.cells().end(), std::uint8_t(1));
-  } else if (comparable) {
-    for (std::size_t tile = 0; tile < now->tile_count(); ++tile) {
-      if (now->tile(tile) != then->tile(tile)) changed[tile] = 1;
-    }
-  }
-  mark(changed);
-}
-
-void PlantBlocks::mark(const Grid<std::uint8_t>& tiles) {
-  const Terrain& terrain = snapshot_->terrain();
-  const double side = tile_side * terrain.cell_size;
-  const double north = terrain.height_metres();
+void PlantBlocks::mark_changed(const PlantGround& before) {
+  const PlantChanges changes(before, placement_.ground());
+  if (!changes.any()) return;
   for (int s = 0; s < strata; ++s) {
-    const double block = PlantPlacement::block_side(Stratum(s));
-    for (auto& [place, plants] : blocks_[std::size_t(s)]) {
-      // A block that only touches a tile's border has nothing of it.
-      const int x0 = std::max(0, int(std::floor(place.second * block / side)));
-      const int x1 = std::min(tiles.width(), int(std::ceil((place.second + 1) * block / side)));
-      const int y0 = std::max(0, int(std::floor((north - (place.first + 1) * block) / side)));
-      const int y1 = std::min(tiles.height(), int(std::ceil((north - place.first * block) / side)));
-      for (int y = y0; y < y1 && !plants.stale; ++y) {
-        for (int x = x0; x < x1 && !plants.stale; ++x) plants.stale = tiles(x, y) != 0;
-      }
-    }
+    const double side = PlantPlacement::block_side(Stratum(s));
+    std::vector<Map::value_type*> blocks;
+    for (auto& entry : blocks_[std::size_t(s)]) blocks.push_back(&entry);
+    parallel_each(blocks.size(), [&](std::size_t i) {
+      const auto [row, column] = blocks[i]->first;
+      PlantBlock& block = blocks[i]->second;
+      block.stale = block.stale || changes.within(Stratum(s), column * side, row * side, side);
+    });
   }
 }
 
@@ -115,38 +95,55 @@ std::vector<std::pair<int, int>> PlantBlocks::missing(Stratum stratum, double x,
 
 void PlantBlocks::fill(Stratum stratum, std::pair<int, int> place, PlantBlock& block, std::uint32_t version) const {
   block.plants = placement_.block(stratum, place.second, place.first);
+  if (stratum == Stratum::herb) block.undergrowth = placement_.undergrowth(place.second, place.first);
   block.stale = false;
   block.version = version;
-  if (block.plants.empty()) return;
-  const auto [low, high] =
-      std::minmax_element(block.plants.begin(), block.plants.end(), [](const auto& a, const auto& b) { return a.z < b.z; });
-  block.low = low->z;
-  block.high = high->z;
+  block.low = 1e9F;
+  block.high = -1e9F;
+  for (const auto* list : {&block.plants, &block.undergrowth}) {
+    for (const PlantInstance& plant : *list) {
+      block.low = std::min(block.low, plant.z);
+      block.high = std::max(block.high, plant.z);
+    }
+  }
 }
 
-bool PlantBlocks::build(Stratum stratum, double x, double y, float reach, std::chrono::steady_clock::time_point until) {
+bool PlantBlocks::build(Stratum stratum, double x, double y, float reach, std::chrono::steady_clock::time_point until,
+                        std::chrono::steady_clock::time_point changed_until) {
   if (!snapshot_) return true;
-  const auto wanted = missing(stratum, x, y, reach);
-  float& whole_to = whole_to_[std::size_t(stratum)];
-  whole_to = reach;
+  auto wanted = missing(stratum, x, y, reach);
+  whole_to_[std::size_t(stratum)] = reach;
   if (wanted.empty()) return true;
   drop_far(stratum, x, y, reach);
-  Map& blocks = blocks_[std::size_t(stratum)];
+  const double side = PlantPlacement::block_side(stratum);
+  const Map& blocks = blocks_[std::size_t(stratum)];
+  const auto others = std::stable_partition(wanted.begin(), wanted.end(), [&](const auto& place) {
+    return blocks.contains(place) && std::hypot((place.second + 0.5) * side - x, (place.first + 0.5) * side - y) < at_once_reach;
+  });
   for (auto place = wanted.begin(); place != wanted.end();) {
-    if (std::chrono::steady_clock::now() >= until) {
-      // Blocks that only changed still have their old plants.
-      const auto lacking = std::find_if(place, wanted.end(), [&](const auto& other) { return !blocks.contains(other); });
-      if (lacking == wanted.end()) return false;
-      const double side = PlantPlacement::block_side(stratum);
-      const double away = std::hypot((lacking->second + 0.5) * side - x, (lacking->first + 0.5) * side - y);
-      whole_to = float(std::clamp(away - side, 0.0, double(reach)));
-      return false;
+    const bool changed = place < others;
+    const bool full = bytes() >= most_bytes_;
+    if (full || std::chrono::steady_clock::now() >= (changed ? changed_until : until)) {
+      note_lacking(stratum, x, y, {place, wanted.end()});
+      // Where there is no more room nothing is left to be waited for.
+      return full;
     }
-    const auto end = place + std::min<std::ptrdiff_t>(blocks_at_once, wanted.end() - place);
+    const auto end = place + std::min<std::ptrdiff_t>(blocks_at_once, (changed ? others : wanted.end()) - place);
     fill_all(stratum, {place, end});
     place = end;
   }
   return true;
+}
+
+void PlantBlocks::note_lacking(Stratum stratum, double x, double y, std::span<const std::pair<int, int>> left) {
+  // Blocks that only changed still have their old plants.
+  const Map& blocks = blocks_[std::size_t(stratum)];
+  const auto lacking = std::find_if(left.begin(), left.end(), [&](const auto& other) { return !blocks.contains(other); });
+  if (lacking == left.end()) return;
+  const double side = PlantPlacement::block_side(stratum);
+  const double away = std::hypot((lacking->second + 0.5) * side - x, (lacking->first + 0.5) * side - y);
+  float& whole_to = whole_to_[std::size_t(stratum)];
+  whole_to = float(std::clamp(away - side, 0.0, double(whole_to)));
 }
 
 void PlantBlocks::fill_all(Stratum stratum, std::span<const std::pair<int, int>> places) {
@@ -162,21 +159,32 @@ void PlantBlocks::build_all(Stratum stratum, double x, double y, float reach) {
   const auto wanted = missing(stratum, x, y, reach);
   whole_to_[std::size_t(stratum)] = reach;
   drop_far(stratum, x, y, reach);
-  fill_all(stratum, wanted);
+  constexpr std::size_t at_once = 256;
+  for (std::size_t first = 0; first < wanted.size(); first += at_once) {
+    const auto rest = std::span(wanted).subspan(first);
+    if (bytes() >= most_bytes_) return note_lacking(stratum, x, y, rest);
+    fill_all(stratum, rest.first(std::min(at_once, rest.size())));
+  }
 }
 
 void PlantBlocks::drop_far(Stratum stratum, double x, double y, float reach) {
   const double side = PlantPlacement::block_side(stratum);
-  std::erase_if(blocks_[std::size_t(stratum)], [&](const auto& entry) {
-    const auto [row, column] = entry.first;
-    return std::hypot((column + 0.5) * side - x, (row + 0.5) * side - y) > 1.6 * double(reach) + 2 * side;
-  });
+  const auto drop_beyond = [&](double farthest) {
+    std::erase_if(blocks_[std::size_t(stratum)], [&](const auto& entry) {
+      const auto [row, column] = entry.first;
+      return std::hypot((column + 0.5) * side - x, (row + 0.5) * side - y) > farthest;
+    });
+  };
+  drop_beyond(1.6 * double(reach) + 2 * side);
+  // What one may soon come back to is kept only as long as there is room.
+  if (bytes() >= most_bytes_) drop_beyond(double(reach) + side);
 }
 
 std::size_t PlantBlocks::bytes() const {
   std::size_t sum = 0;
   for (const Map& map : blocks_) {
-    for (const auto& [place, block] : map) sum += block.plants.capacity() * sizeof(PlantInstance);
+    for (const auto& [place, block] : map)
+      sum += (block.plants.capacity() + block.undergrowth.capacity()) * sizeof(PlantInstance);
   }
   return sum;
 }

@@ -185,7 +185,8 @@ class Grower {
       if (growing.parent >= 0) {
         const auto& points = growing.branch.points;
         const auto limb = std::size_t(growing.limb);
-        out.spots.push_back({points.back(), glm::normalize(points.back() - points[points.size() - 2]), growing.limb});
+        const glm::vec3 last = points.back() - points[points.size() - 2];
+        out.spots.push_back({points.back(), glm::normalize(last), growing.limb, glm::length(last)});
         low[limb] = glm::min(low[limb], points.back());
         high[limb] = glm::max(high[limb], points.back());
       }
@@ -223,9 +224,13 @@ Branching grow_branches(const PlantShape& shape, const BranchingHabit& habit, Me
 void add_branches(PlantMeshBuilder& builder, const Branching& branching, PlantDetail detail) {
   for (const Branch& branch : branching.branches) {
     const auto& points = branch.points;
-    if (detail == PlantDetail::near && branch.order < 2) {
+    if (detail == PlantDetail::close && branch.order == 0) {
+      builder.trunk(points, branch.radii, branching.stems > 2 ? 8 : 13, branching.stems > 2 ? 3 : 5);
+    } else if (detail == PlantDetail::close && branch.order < 3) {
+      builder.stem(points, branch.radii, branch.order == 1 ? 6 : 4);
+    } else if (detail == PlantDetail::near && branch.order < 2) {
       builder.stem(points, branch.radii, branch.order > 0 ? 3 : branching.stems > 2 ? 4 : 6);
-    } else if (detail == PlantDetail::near) {
+    } else if (detail != PlantDetail::mid) {
       builder.strip(points, branch.radii, glm::normalize(builder.random.direction() + glm::vec3(0, 0, 0.3F)));
     } else if (branch.order == 0) {
       const std::array<glm::vec3, 3> few{points.front(), points[points.size() / 2], points.back()};

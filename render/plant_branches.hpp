@@ -47,6 +47,7 @@ struct LeafSpot {
   glm::vec3 at;
   glm::vec3 along;  ///< unit, the way its twig points
   int limb = 0;
+  float length = 0;  ///< of its twig, m
 };
 
 struct Branching {

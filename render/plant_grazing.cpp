@@ -1,11 +1,19 @@
 #include "render/plant_grazing.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/ecosystem/eaten_zones.hpp"
 #include "core/ecosystem/losses.hpp"
 
 namespace biotope {
+
+namespace {
+
+/// Steps between nothing and all that is left: so that plants do not change by a hair where animals elsewhere eat a little more.
+constexpr double steps = 64;
+
+}  // namespace
 
 Grazing::Grazing(const MapsSnapshot& snapshot) {
   if (!snapshot.web || snapshot.web->levels.empty()) return;
@@ -17,7 +25,7 @@ Grazing::Grazing(const MapsSnapshot& snapshot) {
       const std::vector<double> share = eaten_share(*level, species);
       if (share.empty()) continue;
       Eater& eater = plant.eaters.emplace_back(Eater{level->partition, {}});
-      for (const double eaten : share) eater.left.push_back(float(1 - eaten));
+      for (const double eaten : share) eater.left.push_back(float(std::round((1 - eaten) * steps) / steps));
     }
   }
 }

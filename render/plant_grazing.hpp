@@ -14,7 +14,8 @@ class Grazing {
   Grazing() = default;
   explicit Grazing(const MapsSnapshot& snapshot);
 
-  /// Share 0..1 of the growth of plant `plant` (place in level 0 of the web) that is left in a cell.
+  /// Share 0..1 of the growth of plant `plant` (place in level 0 of the web) that is left in a cell; what animals
+  /// leave of it is told in steps of 1/64.
   [[nodiscard]] float left(int plant, int x, int y) const;
   /// True when both leave the same everywhere; may say no where they do.
   [[nodiscard]] bool same_as(const Grazing& other) const;

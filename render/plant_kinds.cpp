@@ -5,7 +5,9 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "core/base/parallel.hpp"
 #include "render/plant_leaves.hpp"
+#include "render/plant_undergrowth.hpp"
 
 namespace biotope {
 
@@ -20,18 +22,22 @@ glm::vec3 linear(const std::array<float, 3>& srgb) {
   return {c[0], c[1], c[2]};
 }
 
-/// Bark, our choice: white for birch, reddish for pines, else grey-brown.
-glm::vec3 wood_colour(const std::string& model) {
-  if (model == "birch") return linear({0.80F, 0.79F, 0.75F});
+/// Bark, our choice: white for birch, reddish for pines, dark for alders, silvery where it is smooth, else grey-brown.
+glm::vec3 wood_colour(const PlantShape& shape) {
+  const std::string& model = shape.model;
+  if (model == "birch") return linear({0.84F, 0.83F, 0.79F});
   if (model == "conifer" || model == "mountain-pine") return linear({0.47F, 0.39F, 0.33F});
-  if (model == "alder") return linear({0.46F, 0.43F, 0.385F});
-  return linear({0.49F, 0.45F, 0.40F});
+  if (model == "alder") return linear({0.44F, 0.41F, 0.37F});
+  if (model == "juniper") return linear({0.50F, 0.41F, 0.34F});
+  if (model == "evergreen-oak") return linear({0.42F, 0.39F, 0.35F});
+  const bool smooth = model == "broadleaf" && (shape.trunk_fraction < 0.12F || shape.crown_diameter < 0.68F * shape.height);
+  return smooth ? linear({0.46F, 0.45F, 0.42F}) : linear({0.49F, 0.45F, 0.40F});
 }
 
 /// Bark of the upper half: Scots pines and their like are orange there.
 glm::vec3 high_wood_colour(const PlantShape& shape) {
-  if (shape.model == "conifer" && shape.trunk_fraction > 0.25F) return linear({0.60F, 0.42F, 0.29F});
-  return wood_colour(shape.model);
+  if (shape.model == "conifer" && shape.trunk_fraction > 0.25F) return linear({0.64F, 0.42F, 0.27F});
+  return wood_colour(shape);
 }
 
 Texture leaf_texture() {
@@ -52,10 +58,31 @@ Texture leaf_texture() {
 
 /// What the shaders know of all kinds: `Kinds` of shaders/landscape/plant_kinds.glsl.
 struct KindUniforms {
-  std::array<glm::vec4, most_plant_kinds> form{};
-  std::array<glm::vec4, most_plant_kinds> fresh{};
-  std::array<glm::vec4, most_plant_kinds> turned{};
+  std::array<glm::vec4, 256> form{};
+  std::array<glm::vec4, 256> fresh{};
+  std::array<glm::vec4, 256> turned{};
 };
+
+/// One model of a kind at all its levels of detail; herbs have no close one.
+struct ModelMeshes {
+  PlantMesh close;
+  PlantMesh near;
+  PlantMesh mid;
+};
+ModelMeshes make_meshes(const PlantTraits& plant, std::uint64_t seed) {
+  ModelMeshes meshes;
+  if (plant.stratum != Stratum::herb) meshes.close = make_plant_mesh(plant.shape, PlantDetail::close, seed);
+  meshes.near = make_plant_mesh(plant.shape, PlantDetail::near, seed);
+  meshes.mid = make_plant_mesh(plant.shape, PlantDetail::mid, seed);
+  return meshes;
+}
+
+/// Meadows flower from April to August, one kind after the other (our choice).
+float share_in_flower(int species, int month) {
+  constexpr std::array<float, 4> peaks{4.3F, 5.1F, 5.8F, 6.7F};
+  const float off = (float(month) - peaks[std::size_t(species) % peaks.size()]) / 1.35F;
+  return 0.44F * std::exp(-off * off);
+}
 
 glm::vec3 leaf_in_sward(const PlantKind& kind, const std::array<float, 3>& colour) {
   const auto c = kind.stratum == Stratum::herb ? meadow_colour(colour) : colour;
@@ -87,8 +114,8 @@ void instance_attributes(const VertexArray& array) {
 }
 
 void set_wood(const ShaderProgram& program, const PlantKind& kind) {
-  program.set("wood_colour", wood_colour(kind.shape.model));
-  program.set("high_wood_colour", high_wood_colour(kind.shape));
+  program.set("wood_colour", kind.wood);
+  program.set("high_wood_colour", kind.high_wood);
 }
 
 void set_flowers(const ShaderProgram& program, const PlantKind& kind) {
@@ -109,20 +136,26 @@ Result<PlantKinds> PlantKinds::create() {
 void PlantKinds::set_web(const FoodWeb& web) {
   kinds_.clear();
   month_ = -1;
+  if (undergrowth_.empty()) make_undergrowth();
   if (web.levels.empty()) return;
-  for (std::size_t i = 0; i < web.levels[0].size() && i < most_plant_kinds; ++i) {
+  const std::size_t count = std::min<std::size_t>(web.levels[0].size(), most_plant_kinds);
+  const auto plant_of = [&](std::size_t i) -> const PlantTraits& { return web.species[std::size_t(web.levels[0][i])].plant(); };
+  std::vector<ModelMeshes> meshes(count * plant_models);
+  parallel_each(meshes.size(), [&](std::size_t i) { meshes[i] = make_meshes(plant_of(i / plant_models), 0x6b696e64ULL + i); });
+  for (std::size_t i = 0; i < count; ++i) {
     PlantKind kind;
     kind.species = web.levels[0][i];
-    const PlantTraits& plant = web.species[std::size_t(kind.species)].plant();
-    kind.stratum = plant.stratum;
-    kind.shape = plant.shape;
+    kind.stratum = plant_of(i).stratum;
+    kind.shape = plant_of(i).shape;
+    kind.wood = wood_colour(kind.shape);
+    kind.high_wood = high_wood_colour(kind.shape);
     for (std::size_t model = 0; model < plant_models; ++model) {
-      const std::uint64_t seed = 0x6b696e64ULL + plant_models * i + model;
-      const PlantMesh near = make_plant_mesh(plant.shape, PlantDetail::near, seed);
-      const PlantExtent extent = extent_of(near);
+      const ModelMeshes& made = meshes[plant_models * i + model];
+      const PlantExtent extent = extent_of(made.near);
       kind.extent = {std::max(kind.extent.radius, extent.radius), std::max(kind.extent.height, extent.height)};
-      kind.near[model] = upload(near);
-      kind.mid[model] = upload(make_plant_mesh(plant.shape, PlantDetail::mid, seed));
+      if (made.close.triangles() > 0) kind.close[model] = upload(made.close);
+      kind.near[model] = upload(made.near);
+      kind.mid[model] = upload(made.mid);
     }
     kinds_.push_back(std::move(kind));
   }
@@ -133,17 +166,32 @@ void PlantKinds::set_web(const FoodWeb& web) {
   far_surfaces_ = make_texture_array(GL_RGBA8, picture_side(), picture_side(), layers, 6, smooth);
 }
 
+void PlantKinds::make_undergrowth() {
+  for (int i = 0; i < undergrowth_kinds; ++i) {
+    const UndergrowthLook look = undergrowth_look(Undergrowth(i));
+    const PlantMesh mesh = undergrowth_mesh(Undergrowth(i), 0x666c6f6f72ULL + std::uint64_t(i));
+    PlantKind kind;
+    kind.species = -1;
+    kind.shape = look.traits.shape;
+    kind.wood = kind.high_wood = linear(look.wood);
+    kind.extent = extent_of(mesh);
+    kind.near.front() = upload(mesh);
+    undergrowth_.push_back(std::move(kind));
+  }
+}
+
 void PlantKinds::set_month(const FoodWeb& web, int month) {
   if (month == month_ || kinds_.empty()) return;
   month_ = month;
-  // Meadows flower from April to August (our choice).
-  constexpr std::array<float, 12> bloom{0, 0, 0.05F, 0.2F, 0.4F, 0.42F, 0.32F, 0.2F, 0.1F, 0.03F, 0, 0};
   for (PlantKind& kind : kinds_) {
-    kind.bloom = bloom[std::size_t(std::clamp(month, 0, 11))];
+    kind.bloom = share_in_flower(kind.species, month);
     const SeasonalFoliage foliage = seasonal_foliage(web.species[std::size_t(kind.species)].plant(), month);
     // Many months look alike: their pictures stay.
     kind.pictured = kind.pictured && foliage.colour == kind.foliage.colour && foliage.bare == kind.foliage.bare;
     kind.foliage = foliage;
+  }
+  for (std::size_t i = 0; i < undergrowth_.size(); ++i) {
+    undergrowth_[i].foliage = seasonal_foliage(undergrowth_look(Undergrowth(i)).traits, month);
   }
   upload_kinds();
   take_pictures();
@@ -163,10 +211,18 @@ void PlantKinds::upload_kinds() {
     const auto number = std::size_t(kind.species);
     const float shown = number >= visible_.size() || visible_[number] ? 1.0F : 0.0F;
     // Half of the light comes through a bare crown.
-    const float dense = 0.8F * (1 - 0.5F * kind.foliage.bare);
+    const float dense = 0.88F * (1 - 0.5F * kind.foliage.bare);
     uniforms.form[i] = {kind.extent.radius * shown, kind.extent.height, kind.shape.trunk_fraction, dense};
     uniforms.fresh[i] = glm::vec4(leaf_in_sward(kind, kind.foliage.fresh), kind.foliage.bare);
     uniforms.turned[i] = glm::vec4(leaf_in_sward(kind, kind.foliage.turned), kind.foliage.turn);
+  }
+  for (std::size_t i = 0; i < undergrowth_.size(); ++i) {
+    const PlantKind& kind = undergrowth_[i];
+    const std::size_t slot = std::size_t(first_undergrowth_kind) + i;
+    const auto colour = [](const std::array<float, 3>& c) { return glm::vec3(c[0], c[1], c[2]); };
+    uniforms.form[slot] = {kind.extent.radius, kind.extent.height, 0, 0};
+    uniforms.fresh[slot] = glm::vec4(colour(kind.foliage.fresh), kind.foliage.bare);
+    uniforms.turned[slot] = glm::vec4(colour(kind.foliage.turned), kind.foliage.turn);
   }
   stream(uniforms_, std::span<const KindUniforms>(&uniforms, 1));
 }

@@ -60,10 +60,13 @@ void instance_attributes(const VertexArray& array);
 
 /// One species of plant, ready to draw.
 struct PlantKind {
-  int species = 0;  ///< number in the web
+  int species = 0;  ///< number in the web; -1 for undergrowth
   Stratum stratum = Stratum::herb;
   PlantShape shape;
-  PlantExtent extent;  ///< of the larger of its models
+  glm::vec3 wood{0};       ///< linear colour of its bark
+  glm::vec3 high_wood{0};  ///< and of that of its upper half
+  PlantExtent extent;      ///< of the larger of its models
+  std::array<PlantMeshBuffers, plant_models> close;
   std::array<PlantMeshBuffers, plant_models> near;
   std::array<PlantMeshBuffers, plant_models> mid;
   SeasonalFoliage foliage;  ///< of the month drawn
@@ -89,6 +92,8 @@ class PlantKinds {
   bool set_visible(const SpeciesVisibility& visible);
 
   [[nodiscard]] const std::vector<PlantKind>& kinds() const { return kinds_; }
+  /// By Undergrowth: its mesh is near[0].
+  [[nodiscard]] const std::vector<PlantKind>& undergrowth() const { return undergrowth_; }
   /// Binds leaf pictures, far pictures and what the shaders know of kinds.
   void bind() const;
   /// Only the last of these.
@@ -96,6 +101,7 @@ class PlantKinds {
   [[nodiscard]] static int picture_side() { return 128; }
 
  private:
+  void make_undergrowth();
   void upload_kinds();
   void take_pictures();
   void take_picture(const PlantKind& kind, int model, float elevation) const;
@@ -106,6 +112,7 @@ class PlantKinds {
   Texture far_surfaces_;
   Buffer uniforms_;
   std::vector<PlantKind> kinds_;
+  std::vector<PlantKind> undergrowth_;
   SpeciesVisibility visible_;
   int month_ = -1;
 };

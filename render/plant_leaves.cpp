@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/base/parallel.hpp"
 #include "render/plant_leaf_canvas.hpp"
 
 namespace biotope {
@@ -62,7 +63,7 @@ Grid<Rgba> leafy(int leaves, float leaf_length, float slender, float spread, flo
       const glm::vec2 along = shoot.to - shoot.from;
       const float own = std::atan2(along.x, along.y) * (1 - hang) + canvas.between(-1.25F, 1.25F);
       const glm::vec2 leaf = leaf_length * canvas.between(0.7F, 1.15F) * glm::vec2(std::sin(own), std::cos(own));
-      canvas.leaf(at, at + leaf, glm::length(leaf) * slender, {canvas.between(dark, light), 0, 0});
+      canvas.leaf(at, at + leaf, glm::length(leaf) * slender, {canvas.between(dark, light), canvas.unit(), 0});
     }
   };
   draw_leaves(leaves / 3, 0.42F, 0.66F);
@@ -97,7 +98,7 @@ Grid<Rgba> needle_tufts() {
       const float direction = turn + canvas.between(-1.9F, 1.9F);
       const float length = canvas.between(0.055F, 0.105F);
       canvas.stroke(at, at + length * glm::vec2(std::cos(direction), std::sin(direction) + 0.25F), 0.0045F, 0.0025F,
-                    {shade * canvas.between(0.7F, 1.35F), 0, 0});
+                    {shade * canvas.between(0.7F, 1.35F), canvas.unit(), 0});
     }
   }
   return canvas.take();
@@ -116,20 +117,20 @@ Grid<Rgba> bough() {
           (0.44F * std::sin(glm::pi<float>() * std::pow(0.10F + 0.88F * t, 0.75F)) + 0.05F) * canvas.between(0.72F, 1.08F);
       const glm::vec2 along = length * glm::normalize(glm::vec2(side, 0.5F + 0.55F * t + canvas.between(-0.1F, 0.1F)));
       const float shade = canvas.between(0.66F, 1.12F);
-      canvas.stroke(at, at + along, 0.011F, 0.005F, {0.8F * shade, 0, 0});
+      canvas.stroke(at, at + along, 0.011F, 0.005F, {0.8F * shade, 0.5F, 0});
       const int combs = 6 + int(26 * length / 0.45F);
       for (int needle = 0; needle < combs; ++needle) {
         const glm::vec2 foot = at + along * (float(needle) + 0.5F) / float(combs);
         for (const float lean : {-1.0F, 1.0F}) {
           const glm::vec2 out = glm::normalize(along) + 0.9F * lean * glm::normalize(glm::vec2(-along.y, along.x));
           canvas.stroke(foot, foot + canvas.between(0.03F, 0.048F) * glm::normalize(out), 0.0042F, 0.0024F,
-                        {shade * canvas.between(0.8F, 1.3F), 0, 0});
+                        {shade * canvas.between(0.8F, 1.3F), canvas.unit(), 0});
         }
       }
     }
   }
   for (int needle = 0; needle < 16; ++needle) {
-    canvas.stroke({0.5F, 0.88F}, {0.5F + canvas.between(-0.05F, 0.05F), 0.99F}, 0.006F, 0.003F, {1, 0, 0});
+    canvas.stroke({0.5F, 0.88F}, {0.5F + canvas.between(-0.05F, 0.05F), 0.99F}, 0.006F, 0.003F, {1, 0.5F, 0});
   }
   return canvas.take();
 }
@@ -209,60 +210,6 @@ Grid<Rgba> flower_head() {
   return canvas.take();
 }
 
-/// Smooth noise 0..1 on a unit lattice.
-float lattice_noise(float x, float y, std::uint64_t what) {
-  const int ix = int(std::floor(x));
-  const int iy = int(std::floor(y));
-  const auto at = [&](int cx, int cy) { return float(random_unit({what, std::uint64_t(cx), std::uint64_t(cy)})); };
-  const float fx = glm::smoothstep(0.0F, 1.0F, x - float(ix));
-  const float fy = glm::smoothstep(0.0F, 1.0F, y - float(iy));
-  return glm::mix(glm::mix(at(ix, iy), at(ix + 1, iy), fx), glm::mix(at(ix, iy + 1), at(ix + 1, iy + 1), fx), fy);
-}
-
-/// Bark: all covered, furrowed along the stem; `smooth` bark has dark bands across instead.
-Grid<Rgba> bark(bool smooth) {
-  Grid<Rgba> picture(leaf_picture_side, leaf_picture_side);
-  for (int y = 0; y < leaf_picture_side; ++y) {
-    for (int x = 0; x < leaf_picture_side; ++x) {
-      float value = 0;
-      if (smooth) {
-        const float band = lattice_noise(float(x) / 34, float(y) / 7, 0x6269726bULL);
-        const float scar = lattice_noise(float(x) / 60, float(y) / 30, 0x6269726cULL);
-        value = 1.0F - 0.62F * glm::smoothstep(0.72F, 0.82F, band) - 0.75F * glm::smoothstep(0.8F, 0.88F, scar) +
-                0.12F * lattice_noise(float(x) / 3, float(y) / 3, 0x6269726dULL);
-      } else {
-        const float furrow = lattice_noise(float(x) / 7, float(y) / 44, 0x6261726bULL);
-        value = 0.26F + 1.15F * std::abs(2 * furrow - 1) + 0.25F * lattice_noise(float(x) / 3, float(y) / 9, 0x6261726cULL);
-      }
-      picture(x, y) = {std::uint8_t(std::lround(std::clamp(128 * value, 0.0F, 255.0F))), 0, 255, 255};
-    }
-  }
-  return picture;
-}
-
-/// Half the size, colours weighted by coverage.
-Grid<Rgba> halved(const Grid<Rgba>& picture) {
-  Grid<Rgba> out(picture.width() / 2, picture.height() / 2);
-  for (int y = 0; y < out.height(); ++y) {
-    for (int x = 0; x < out.width(); ++x) {
-      std::array<int, 3> colour{};
-      int covered = 0;
-      for (int i = 0; i < 4; ++i) {
-        const Rgba& texel = picture(2 * x + i % 2, 2 * y + i / 2);
-        // Holes weigh a little, so that their colour is defined too.
-        const int weight = 16 * int(texel[3]) + 1;
-        covered += texel[3];
-        for (std::size_t c = 0; c < 3; ++c) colour[c] += weight * int(texel[c]);
-      }
-      const int weights = 16 * covered + 4;
-      Rgba& texel = out(x, y);
-      for (std::size_t c = 0; c < 3; ++c) texel[c] = std::uint8_t(colour[c] / weights);
-      texel[3] = std::uint8_t((covered + 2) / 4);
-    }
-  }
-  return out;
-}
-
 double share_above(const Grid<Rgba>& picture, double threshold) {
   std::size_t count = 0;
   for (const Rgba& texel : picture.cells()) count += texel[3] >= threshold ? 1 : 0;
@@ -297,6 +244,28 @@ void fill_holes(Grid<Rgba>& picture) {
 
 }  // namespace
 
+Grid<Rgba> halved(const Grid<Rgba>& picture) {
+  Grid<Rgba> out(picture.width() / 2, picture.height() / 2);
+  for (int y = 0; y < out.height(); ++y) {
+    for (int x = 0; x < out.width(); ++x) {
+      std::array<int, 3> colour{};
+      int covered = 0;
+      for (int i = 0; i < 4; ++i) {
+        const Rgba& texel = picture(2 * x + i % 2, 2 * y + i / 2);
+        // Holes weigh a little, so that their colour is defined too.
+        const int weight = 16 * int(texel[3]) + 1;
+        covered += texel[3];
+        for (std::size_t c = 0; c < 3; ++c) colour[c] += weight * int(texel[c]);
+      }
+      const int weights = 16 * covered + 4;
+      Rgba& texel = out(x, y);
+      for (std::size_t c = 0; c < 3; ++c) texel[c] = std::uint8_t(colour[c] / weights);
+      texel[3] = std::uint8_t((covered + 2) / 4);
+    }
+  }
+  return out;
+}
+
 std::vector<Grid<Rgba>> leaf_mipmaps(const Grid<Rgba>& picture) {
   std::vector<Grid<Rgba>> levels{picture};
   fill_holes(levels.front());
@@ -311,20 +280,38 @@ std::vector<Grid<Rgba>> leaf_mipmaps(const Grid<Rgba>& picture) {
 }
 
 std::vector<Grid<Rgba>> leaf_pictures() {
+  struct Drawing {
+    LeafPicture which;
+    Grid<Rgba> (*draw)();
+  };
+  constexpr std::array<Drawing, leaf_picture_count> drawings{{
+      {LeafPicture::bark, furrowed_bark},
+      {LeafPicture::broad, [] { return leafy(430, 0.058F, 0.30F, 0.75F, 0, 1); }},
+      {LeafPicture::small, [] { return leafy(430, 0.050F, 0.33F, 0.8F, 0, 2); }},
+      {LeafPicture::needles, needle_tufts},
+      {LeafPicture::bough, bough},
+      {LeafPicture::blades, blades},
+      {LeafPicture::rosette, rosette},
+      {LeafPicture::flower, flowers},
+      {LeafPicture::twigs, bare_twigs},
+      {LeafPicture::airy, [] { return leafy(260, 0.058F, 0.36F, 0.5F, 0.5F, 10); }},
+      {LeafPicture::flower_head, flower_head},
+      {LeafPicture::pale_bark, birch_bark},
+      {LeafPicture::smooth_bark, smooth_bark},
+      {LeafPicture::plated_bark, plated_bark},
+      {LeafPicture::oak_spray, oak_spray},
+      {LeafPicture::oval_spray, oval_spray},
+      {LeafPicture::round_spray, round_spray},
+      {LeafPicture::birch_spray, birch_spray},
+      {LeafPicture::leathery_spray, leathery_spray},
+      {LeafPicture::pine_spray, pine_spray},
+      {LeafPicture::scale_spray, scale_spray},
+      {LeafPicture::frond, fern_frond},
+      {LeafPicture::shade_leaves, shade_leaves},
+      {LeafPicture::stone, stone_face},
+  }};
   std::vector<Grid<Rgba>> pictures(leaf_picture_count);
-  const auto set = [&](LeafPicture which, Grid<Rgba> picture) { pictures[std::size_t(which)] = std::move(picture); };
-  set(LeafPicture::bark, bark(false));
-  set(LeafPicture::pale_bark, bark(true));
-  set(LeafPicture::broad, leafy(430, 0.058F, 0.30F, 0.75F, 0, 1));
-  set(LeafPicture::small, leafy(430, 0.050F, 0.33F, 0.8F, 0, 2));
-  set(LeafPicture::airy, leafy(260, 0.058F, 0.36F, 0.5F, 0.5F, 10));
-  set(LeafPicture::needles, needle_tufts());
-  set(LeafPicture::bough, bough());
-  set(LeafPicture::blades, blades());
-  set(LeafPicture::rosette, rosette());
-  set(LeafPicture::flower, flowers());
-  set(LeafPicture::flower_head, flower_head());
-  set(LeafPicture::twigs, bare_twigs());
+  parallel_each(drawings.size(), [&](std::size_t i) { pictures[std::size_t(drawings[i].which)] = drawings[i].draw(); });
   return pictures;
 }
 

@@ -54,7 +54,8 @@ float PlantMeshBuilder::shade_of_wood(const glm::vec3& at) const {
   return at.z < crown_.centre.z - crown_.radii.z ? 0.75F : 0.3F + 0.35F * openness(at, nullptr);
 }
 
-void PlantMeshBuilder::stem(std::span<const glm::vec3> points, std::span<const float> radii, int sides) {
+template <class Radius>
+void PlantMeshBuilder::tube(std::span<const glm::vec3> points, int sides, float around, const Radius& radius) {
   const std::size_t first = mesh_.vertices.size();
   const std::size_t ring = std::size_t(sides) + 1;
   float travelled = 0;
@@ -68,8 +69,9 @@ void PlantMeshBuilder::stem(std::span<const glm::vec3> points, std::span<const f
     for (std::size_t i = 0; i < ring; ++i) {
       const float turn = glm::two_pi<float>() * float(i) / float(sides);
       const glm::vec3 out = right * std::cos(turn) + forward * std::sin(turn);
-      const glm::vec3 at = points[p] + out * radii[p];
-      mesh_.vertices.push_back({at, out, {float(i) / float(sides) * 2, travelled * 0.6F}, float(bark_), shade_of_wood(at), 2, 0});
+      const glm::vec3 at = points[p] + out * radius(p, turn);
+      mesh_.vertices.push_back(
+          {at, out, {float(i) / float(sides) * around, travelled * 0.6F}, float(bark_), shade_of_wood(at), 2, 0});
     }
     if (p == 0) continue;
     for (std::size_t i = 0; i + 1 < ring; ++i) {
@@ -78,6 +80,33 @@ void PlantMeshBuilder::stem(std::span<const glm::vec3> points, std::span<const f
       triangle(a, a + ring + 1, a + ring);
     }
   }
+}
+
+void PlantMeshBuilder::stem(std::span<const glm::vec3> points, std::span<const float> radii, int sides) {
+  tube(points, sides, 2, [&](std::size_t p, float) { return radii[p]; });
+}
+
+void PlantMeshBuilder::trunk(std::span<const glm::vec3> points, std::span<const float> radii, int sides, int roots) {
+  // Rings close together at the foot, where it spreads.
+  const float thick = radii[1];
+  const glm::vec3 up = points[1] - points[0];
+  std::vector<glm::vec3> rings;
+  std::vector<float> widths;
+  for (const float height : {-0.3F, 0.0F, 0.5F, 1.3F, 3.0F}) {
+    const float part = (height * thick - points[0].z) / std::max(up.z, 0.01F);
+    if (part >= 1) break;
+    rings.push_back(points[0] + up * part);
+    widths.push_back(glm::mix(radii[0] / 1.3F, radii[1], std::max(0.0F, part)));
+  }
+  const std::size_t foot = rings.size();
+  rings.insert(rings.end(), points.begin() + 1, points.end());
+  widths.insert(widths.end(), radii.begin() + 1, radii.end());
+  const float start = random.between(0, glm::two_pi<float>());
+  tube(rings, sides, std::max(2.0F, std::round(6 * thick)), [&](std::size_t p, float turn) {
+    if (p >= foot) return widths[p];
+    const float spread = std::exp(-std::max(0.0F, rings[p].z) / (0.75F * thick));
+    return widths[p] * (1 + spread * (0.38F + 0.34F * std::cos(float(roots) * turn + start)));
+  });
 }
 
 void PlantMeshBuilder::stem(const glm::vec3& from, const glm::vec3& to, float radius_from, float radius_to, int sides) {
@@ -112,16 +141,25 @@ void PlantMeshBuilder::card(const FoliageCard& card, const CrownForm* bunch) {
   const glm::vec3 right = glm::normalize(glm::cross(card.upright, card.facing));
   const glm::vec3 up = glm::cross(card.facing, right);
   const float fall = random.unit();
-  constexpr std::array<glm::vec2, 4> uvs{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
-  for (const glm::vec2& uv : uvs) {
-    const glm::vec3 at = card.centre + right * ((uv.x - 0.5F) * card.width) + up * ((uv.y - 0.5F) * card.height);
-    mesh_.vertices.push_back({at, soft_normal(at, card.facing, bunch), uv, float(card.picture), openness(at, bunch), fall, 1});
+  // Columns from left to right; a folded card's middle stands out and its tip bends down over the rest.
+  const int columns = card.fold > 0 ? 3 : 2;
+  for (int column = 0; column < columns; ++column) {
+    const float u = float(column) / float(columns - 1);
+    const float out = columns == 3 && column == 1 ? card.fold * card.width : 0.0F;
+    for (const float v : {0.0F, 1.0F}) {
+      const glm::vec3 at = card.centre + right * ((u - 0.5F) * card.width) + up * ((v - 0.5F) * card.height) +
+                           card.facing * (out - 0.7F * card.fold * card.height * v);
+      const glm::vec3 faces = glm::normalize(card.facing + right * (card.fold * 3 * (u - 0.5F)));
+      mesh_.vertices.push_back({at, soft_normal(at, faces, bunch), {u, v}, float(card.picture), openness(at, bunch), fall, 1});
+    }
+    if (column == 0) continue;
+    const std::size_t a = first + 2 * (std::size_t(column) - 1);
+    triangle(a, a + 2, a + 3);
+    triangle(a, a + 3, a + 1);
   }
-  triangle(first, first + 1, first + 2);
-  triangle(first, first + 2, first + 3);
 }
 
-void PlantMeshBuilder::bunch(const CrownForm& form, int cards, float size, LeafPicture picture, float roughness) {
+void PlantMeshBuilder::bunch(const CrownForm& form, int cards, float size, LeafPicture picture, float roughness, float fold) {
   const float start = random.between(0, glm::two_pi<float>());
   for (int i = 0; i < cards; ++i) {
     // Golden angle over the sphere: even cover with few cards.
@@ -136,6 +174,7 @@ void PlantMeshBuilder::bunch(const CrownForm& form, int cards, float size, LeafP
     if (std::abs(glm::dot(leaf.facing, leaf.upright)) > 0.97F) leaf.upright = perpendicular(leaf.facing);
     leaf.width = leaf.height = size * random.between(0.85F, 1.15F);
     leaf.picture = picture;
+    leaf.fold = fold;
     card(leaf, &form);
   }
 }
@@ -159,6 +198,42 @@ void PlantMeshBuilder::blade(const glm::vec3& foot, const glm::vec3& knee, const
   triangle(first, first + 1, first + 3);
   triangle(first, first + 3, first + 2);
   triangle(first + 2, first + 3, first + 4);
+}
+
+void PlantMeshBuilder::boulder(const glm::vec3& radii, int around, int rings) {
+  const std::size_t first = mesh_.vertices.size();
+  const std::size_t row = std::size_t(around) + 1;
+  // A few planes cut its corners off.
+  std::array<glm::vec3, 7> planes;
+  std::array<float, 7> away{};
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    planes[i] = random.direction();
+    away[i] = random.between(0.62F, 0.9F);
+  }
+  for (int ring = 0; ring <= rings; ++ring) {
+    const float polar = glm::pi<float>() * (0.02F + 0.66F * float(ring) / float(rings));
+    for (std::size_t i = 0; i < row; ++i) {
+      const float turn = glm::two_pi<float>() * float(i) / float(around);
+      const glm::vec3 out(std::sin(polar) * std::cos(turn), std::sin(polar) * std::sin(turn), std::cos(polar));
+      float reach = 1;
+      glm::vec3 normal = out;
+      for (std::size_t p = 0; p < planes.size(); ++p) {
+        const float facing = glm::dot(out, planes[p]);
+        if (facing <= 0.05F || away[p] / facing >= reach) continue;
+        reach = away[p] / facing;
+        normal = glm::normalize(planes[p] + 0.35F * out);
+      }
+      const glm::vec3 at = out * reach * radii;
+      const float open = glm::clamp(0.45F + 0.8F * at.z / radii.z, 0.3F, 1.0F);
+      mesh_.vertices.push_back({at, normal, {2 * float(i) / float(around), polar * 0.6F}, float(bark_), open, 2, 0});
+    }
+    if (ring == 0) continue;
+    for (std::size_t i = 0; i + 1 < row; ++i) {
+      const std::size_t a = first + (std::size_t(ring) - 1) * row + i;
+      triangle(a, a + 1, a + row + 1);
+      triangle(a, a + row + 1, a + row);
+    }
+  }
 }
 
 PlantMesh make_plant_mesh(const PlantShape& shape, PlantDetail detail, std::uint64_t seed) {

@@ -22,9 +22,26 @@ enum class LeafPicture : std::uint8_t {
   twigs,
   airy,
   flower_head,
-  pale_bark
+  pale_bark,
+  smooth_bark,
+  plated_bark,
+  oak_spray,
+  oval_spray,
+  round_spray,
+  birch_spray,
+  leathery_spray,
+  pine_spray,
+  scale_spray,
+  frond,
+  shade_leaves,
+  stone
 };
-inline constexpr int leaf_picture_count = 12;
+inline constexpr int leaf_picture_count = 24;
+/// Pictures without holes.
+[[nodiscard]] constexpr bool is_solid(LeafPicture picture) {
+  return picture == LeafPicture::bark || picture == LeafPicture::pale_bark || picture == LeafPicture::smooth_bark ||
+         picture == LeafPicture::plated_bark || picture == LeafPicture::stone;
+}
 
 /// What the plant shaders read per vertex.
 struct PlantVertex {
@@ -43,8 +60,8 @@ struct PlantMesh {
   [[nodiscard]] std::size_t triangles() const { return indices.size() / 3; }
 };
 
-/// How many triangles a mesh may have: near 280..1500, mid 35..175; a tuft of herbs near 70, from afar 8.
-enum class PlantDetail : std::uint8_t { near, mid };
+/// How many triangles a mesh may have: close 1500..9000, near 280..1500, mid 35..175; a tuft of herbs near 70, from afar 8.
+enum class PlantDetail : std::uint8_t { close, near, mid };
 
 /// The mesh of a grown plant of that shape, in metres. `seed` varies it. Unknown models are drawn as their nearest kin (broadleaf
 /// above 3 m, else herb).

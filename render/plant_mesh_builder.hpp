@@ -31,6 +31,7 @@ struct FoliageCard {
   float width = 1;
   float height = 1;
   LeafPicture picture = LeafPicture::broad;
+  float fold = 0;  ///< depth of the fold along its middle / width: a folded card is never seen from its edge alone
 };
 
 /// A crown or a bunch of foliage in it: where it is dark, and which way its outside faces.
@@ -47,15 +48,19 @@ class PlantMeshBuilder {
   /// A stem of `sides` faces along points, open at both ends.
   void stem(std::span<const glm::vec3> points, std::span<const float> radii, int sides);
   void stem(const glm::vec3& from, const glm::vec3& to, float radius_from, float radius_to, int sides);
+  /// A trunk whose foot spreads into `roots` roots: along points, the first below the ground.
+  void trunk(std::span<const glm::vec3> points, std::span<const float> radii, int sides, int roots);
   /// A thin branch: a flat strip that faces `facing`.
   void strip(std::span<const glm::vec3> points, std::span<const float> radii, const glm::vec3& facing);
   /// A card shaded as a part of the crown and of a bunch of foliage in it (null: of the crown alone).
   void card(const FoliageCard& card, const CrownForm* bunch = nullptr);
   /// Cards over the outside of an ellipsoid, facing outwards more or less: a bunch of foliage. `roughness` 0..1 turns them at
   /// random.
-  void bunch(const CrownForm& form, int cards, float size, LeafPicture picture, float roughness);
+  void bunch(const CrownForm& form, int cards, float size, LeafPicture picture, float roughness, float fold = 0);
   /// A blade or leaf of a herb that bends at its knee: dark at the root, light at the tip. `shade` 0..1.
   void blade(const glm::vec3& foot, const glm::vec3& knee, const glm::vec3& tip, float width, float shade);
+  /// A stone that lies half in the ground, of `around` x `rings` faces, shown with the bark's picture.
+  void boulder(const glm::vec3& radii, int around, int rings);
   void set_bark(LeafPicture bark) { bark_ = bark; }
   [[nodiscard]] PlantMesh take() { return std::move(mesh_); }
 
@@ -66,6 +71,9 @@ class PlantMeshBuilder {
   [[nodiscard]] float openness(const glm::vec3& at, const CrownForm* bunch) const;
   [[nodiscard]] float shade_of_wood(const glm::vec3& at) const;
   void triangle(std::size_t a, std::size_t b, std::size_t c);
+  /// Radius of a stem at a point in a direction around it.
+  template <class Radius>
+  void tube(std::span<const glm::vec3> points, int sides, float around, const Radius& radius);
 
   CrownForm crown_;
   LeafPicture bark_ = LeafPicture::bark;

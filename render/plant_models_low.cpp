@@ -7,7 +7,8 @@
 namespace biotope {
 
 PlantMesh shrub_mesh(const PlantShape& shape, PlantDetail detail, std::uint64_t seed) {
-  const bool near = detail == PlantDetail::near;
+  const bool near = detail != PlantDetail::mid;
+  const bool close = detail == PlantDetail::close;
   const float radius = 0.5F * shape.crown_diameter;
   const CrownForm crown{{0, 0, 0.38F * shape.height}, {radius, radius, 0.62F * shape.height}};
   PlantMeshBuilder builder(crown, seed);
@@ -27,11 +28,19 @@ PlantMesh shrub_mesh(const PlantShape& shape, PlantDetail detail, std::uint64_t 
       builder.strip(points, radii, glm::normalize(builder.random.direction() + glm::vec3(0, 0, 0.3F)));
     }
     const CrownForm bunch{tip, {size, size, size * (0.55F + 0.4F * shape.height / shape.crown_diameter)}};
-    builder.bunch(bunch, near ? 12 : 6, size * (near ? 1.15F : 1.45F), LeafPicture::small, 0.8F);
+    if (close) {
+      builder.bunch(bunch, 42, size * 0.62F, LeafPicture::leathery_spray, 0.9F, 0.16F);
+    } else {
+      builder.bunch(bunch, near ? 12 : 6, size * (near ? 1.15F : 1.45F), LeafPicture::small, 0.8F);
+    }
   }
-  builder.bunch({{0, 0, 0.2F * shape.height},
-                 glm::vec3(radius, radius, shape.height) * glm::vec3(near ? 0.85F : 0.7F, near ? 0.85F : 0.7F, 0.24F)},
-                near ? 22 : 8, (near ? 0.46F : 0.62F) * radius, LeafPicture::small, 0.6F);
+  const CrownForm skirt{{0, 0, 0.2F * shape.height},
+                        glm::vec3(radius, radius, shape.height) * glm::vec3(near ? 0.85F : 0.7F, near ? 0.85F : 0.7F, 0.24F)};
+  if (close) {
+    builder.bunch(skirt, 90, 0.25F * radius, LeafPicture::leathery_spray, 0.8F, 0.16F);
+    return builder.take();
+  }
+  builder.bunch(skirt, near ? 22 : 8, (near ? 0.46F : 0.62F) * radius, LeafPicture::small, 0.6F);
   return builder.take();
 }
 
@@ -85,7 +94,7 @@ void flower_stalks(PlantMeshBuilder& builder, const PlantShape& shape, int count
 }  // namespace
 
 PlantMesh tuft_mesh(const PlantShape& shape, PlantDetail detail, std::uint64_t seed) {
-  const bool near = detail == PlantDetail::near;
+  const bool near = detail != PlantDetail::mid;
   // Its middle lies below the ground, so that a tuft is lit as the meadow around it is.
   const float radius = shape.crown_diameter;
   PlantMeshBuilder builder({{0, 0, -0.9F * shape.height}, {radius, radius, 1.7F * shape.height}}, seed);

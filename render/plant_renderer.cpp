@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "render/landscape_renderer.hpp"
+#include "render/season.hpp"
 
 namespace biotope {
 
@@ -13,6 +15,8 @@ namespace {
 constexpr double shade_side = 512;
 constexpr double most_shade_side = 2048;
 constexpr int shade_texels = 1024;
+/// The square moves in steps of this part of its side.
+constexpr float shade_steps = 16;
 
 /// True when a snapshot under way does not know its plants yet.
 bool lacks_plants(const MapsSnapshot& snapshot) {
@@ -23,6 +27,12 @@ bool lacks_plants(const MapsSnapshot& snapshot) {
 void set_levels(const ShaderProgram& program, const PlantLevels& levels) {
   program.set("lod", glm::vec4(levels.near_pixels, levels.mid_pixels, levels.far_from, levels.far_to));
 }
+
+/// Time for building plants from which on a frame counts as a long one, ms.
+constexpr double long_frame_budget = 16;
+
+/// Height on the screen from which no mesh is finer.
+constexpr float no_finer = 1e9F;
 
 /// Draws a mesh for instances [first, first + count) of a buffer.
 void draw_instances(const PlantMeshBuffers& mesh, const Buffer& instances, std::size_t first, std::size_t count,
@@ -68,6 +78,13 @@ Result<std::unique_ptr<PlantRenderer>> PlantRenderer::create() {
     if (!program) return tl::unexpected(program.error());
     wanted.program = std::move(*program);
   }
+  const std::array<std::string, 1> shadows{"WITH_SHADOWS"};
+  for (const Wanted& wanted : {Wanted{renderer->shadowed_mesh_program_, "landscape/plant_mesh"},
+                               Wanted{renderer->shadowed_tuft_program_, "landscape/plant_tuft"}}) {
+    auto program = load_shader_program(std::string(wanted.name) + ".vert", std::string(wanted.name) + ".frag", shadows);
+    if (!program) return tl::unexpected(program.error());
+    wanted.program = std::move(*program);
+  }
   renderer->instances_ = make_buffer();
   renderer->far_draws_ = make_buffer();
   renderer->shade_draws_ = make_buffer();
@@ -101,8 +118,13 @@ bool PlantRenderer::sees(Stratum stratum, const PlantBudget& budget, const glm::
 void PlantRenderer::finish_loading(const PlantLook& look, const glm::dvec3& eye) {
   if (!snapshot_) return;
   const PlantBudget budget = PlantBudget::of(look.quality);
+  blocks_.set_most_bytes(budget.block_bytes());
   for (const Stratum stratum : {Stratum::herb, Stratum::shrub, Stratum::tree}) {
     if (sees(stratum, budget, eye)) blocks_.build_all(stratum, eye.x, eye.y, budget.reach(stratum));
+  }
+  UploadBudget upload = UploadBudget::unlimited();
+  for (const Stratum stratum : {Stratum::tree, Stratum::shrub}) {
+    arena_.follow(blocks_, stratum, budget.resident, {eye.x, eye.y}, upload);
   }
   shaded_area_ = glm::vec4(0);
 }
@@ -114,28 +136,40 @@ bool PlantRenderer::prepare(const PlantLook& look, const glm::dvec3& eye, const 
     upload_selection();
     return true;
   }
-  kinds_.set_month(*snapshot_->web, look.month);
+  kinds_.set_month(*snapshot_->web, northern_month(look.month, snapshot_->terrain().latitude));
   PlantBudget budget = PlantBudget::of(look.quality);
   // From higher up than one sees trees, the ground shows all of them.
   if (!sees(Stratum::tree, budget, eye)) budget.tree_reach = 0;
+  blocks_.set_most_bytes(budget.block_bytes());
   const auto until = std::chrono::steady_clock::now() + std::chrono::microseconds(std::int64_t(1000 * budget_ms));
+  // An edit near the eye is answered in one picture, the more so where the next would come late.
+  const auto changed_until = until + std::chrono::milliseconds(budget_ms > long_frame_budget ? 80 : 12);
   bool complete = true;
+  std::array<float, strata> shading{};
+  for (const Stratum stratum : {Stratum::tree, Stratum::shrub}) {
+    if (sees(stratum, budget, eye)) shading[std::size_t(stratum)] = budget.reach(stratum);
+  }
+  if (std::exchange(shading_reach_, shading) != shading) shaded_area_ = glm::vec4(0);
   for (const Stratum stratum : {Stratum::herb, Stratum::tree, Stratum::shrub}) {
     if (budget.reach(stratum) > 0 && sees(stratum, budget, eye))
-      complete = blocks_.build(stratum, eye.x, eye.y, budget.reach(stratum), until) && complete;
+      complete = blocks_.build(stratum, eye.x, eye.y, budget.reach(stratum), until, changed_until) && complete;
   }
-  for (const Stratum stratum : {Stratum::tree, Stratum::shrub}) arena_.follow(blocks_, stratum, budget.resident, {eye.x, eye.y});
+  UploadBudget upload;
+  for (const Stratum stratum : {Stratum::tree, Stratum::shrub}) {
+    complete = arena_.follow(blocks_, stratum, budget.resident, {eye.x, eye.y}, upload) && complete;
+  }
   // What was built since the last frame casts shade too.
   if (kinds_.set_visible(look.visible) || !complete || !complete_) shaded_area_ = glm::vec4(0);
   complete_ = complete;
-  selection_ = select_plants(blocks_, arena_, kinds_.kinds(), look.visible, budget, frame, frustum);
+  selection_ = select_plants(blocks_, arena_, kinds_, look.visible, budget, frame, frustum);
   upload_selection();
   return complete;
 }
 
 void PlantRenderer::upload_selection() {
   std::vector<PlantInstance> all;
-  for (const auto* lists : {&selection_.near, &selection_.mid, &selection_.near_tufts, &selection_.far_tufts}) {
+  for (const auto* lists : {&selection_.close, &selection_.near, &selection_.mid, &selection_.undergrowth, &selection_.near_tufts,
+                            &selection_.far_tufts}) {
     for (const auto& list : *lists) all.insert(all.end(), list.begin(), list.end());
   }
   stream(instances_, std::span<const PlantInstance>(all));
@@ -146,18 +180,22 @@ glm::vec4 PlantRenderer::shade_area(const glm::dvec3& eye, double above) {
   // From higher up one sees more ground, less sharply.
   double side = shade_side;
   while (side < most_shade_side && above > side / 8) side *= 2;
-  const double step = side / 16;
+  const double step = side / shade_steps;
   const auto edge = [&](double v) { return float(std::floor((v - 0.5 * side) / step + 0.5) * step); };
-  return {edge(eye.x), edge(eye.y), float(side), 0.72F};
+  return {edge(eye.x), edge(eye.y), float(side), 1};
 }
 
 std::vector<FarDraw> PlantRenderer::shading_blocks(const glm::vec4& area) const {
   std::vector<FarDraw> out;
-  constexpr float longest_shadow = 60;
+  constexpr float longest_shadow = 120;
   constexpr float margin = woody_block_side + longest_shadow;
+  const glm::vec2 middle = glm::vec2(area) + 0.5F * area.z;
+  // Blocks that are there from wherever in the area one looks, and not those that are left from an earlier view.
+  const float snapped = 0.7072F * area.z / shade_steps;
   for (const Stratum stratum : {Stratum::tree, Stratum::shrub}) {
     for (const auto& [place, resident] : arena_.places(stratum)) {
       const glm::vec2 corner(float(place.second) * woody_block_side, float(place.first) * woody_block_side);
+      if (glm::length(corner + 0.5F * woody_block_side - middle) > shading_reach_[std::size_t(stratum)] - snapped) continue;
       if (corner.x < area.x - margin || corner.y < area.y - margin) continue;
       if (corner.x > area.x + area.z + longest_shadow || corner.y > area.y + area.z + longest_shadow) continue;
       if (resident.run.count > 0) out.push_back({4, resident.run.count, 0, resident.run.first});
@@ -181,59 +219,75 @@ DrawCount PlantRenderer::draw_shade(const glm::vec4& area, const glm::vec3& ligh
   shade_program_.set("area", area);
   glDisable(GL_DEPTH_TEST);
   glEnable(GL_BLEND);
-  glBlendEquation(GL_MAX);
+  // Light that comes through one crown may meet another.
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_COLOR);
   glBindVertexArray(shade_array_.name());
   const std::size_t plants = draw_blocks(shade_array_, arena_, shade_draws_, blocks);
-  glBlendEquation(GL_FUNC_ADD);
   glDisable(GL_BLEND);
   glEnable(GL_DEPTH_TEST);
   return {1, 2 * plants};
 }
 
-DrawCount PlantRenderer::draw() const {
+DrawCount PlantRenderer::draw(bool shadows) const {
   kinds_.bind();
   DrawCount drawn;
-  for (const DrawCount& part : {draw_meshes(), draw_tufts(), draw_far()}) {
+  for (const DrawCount& part : {draw_meshes(shadows ? shadowed_mesh_program_ : mesh_program_),
+                                draw_tufts(shadows ? shadowed_tuft_program_ : tuft_program_), draw_far()}) {
     drawn.draw_calls += part.draw_calls;
     drawn.triangles += part.triangles;
   }
   return drawn;
 }
 
-DrawCount PlantRenderer::draw_meshes() const {
+DrawCount PlantRenderer::draw_meshes(const ShaderProgram& program) const {
   DrawCount drawn;
-  mesh_program_.use();
+  program.use();
   std::size_t first = 0;
-  for (const bool near : {true, false}) {
-    const auto& lists = near ? selection_.near : selection_.mid;
-    mesh_program_.set("nearness", near ? 1.0F : 0.0F);
-    for (std::size_t i = 0; i < lists.size(); ++i) {
-      if (lists[i].empty()) continue;
+  // Trees and shrubs change their meshes at the same heights.
+  const PlantLevels& levels = selection_.levels.front();
+  struct Level {
+    const std::vector<std::vector<PlantInstance>>& lists;
+    std::array<PlantMeshBuffers, plant_models> PlantKind::*meshes;
+    glm::vec2 pixels;
+  };
+  for (const Level& level : {Level{selection_.close, &PlantKind::close, {no_finer, levels.close_pixels}},
+                             Level{selection_.near, &PlantKind::near, {levels.close_pixels, levels.near_pixels}},
+                             Level{selection_.mid, &PlantKind::mid, {levels.near_pixels, levels.mid_pixels}}}) {
+    program.set("level", level.pixels);
+    for (std::size_t i = 0; i < level.lists.size(); ++i) {
+      if (level.lists[i].empty()) continue;
       const PlantKind& kind = kinds_.kinds()[i / plant_models];
-      set_wood(mesh_program_, kind);
-      set_levels(mesh_program_, selection_.levels[std::size_t(kind.stratum == Stratum::tree ? 0 : 1)]);
-      draw_instances((near ? kind.near : kind.mid)[i % plant_models], instances_, first, lists[i].size(), drawn);
-      first += lists[i].size();
+      set_wood(program, kind);
+      draw_instances((kind.*level.meshes)[i % plant_models], instances_, first, level.lists[i].size(), drawn);
+      first += level.lists[i].size();
     }
+  }
+  program.set("level", glm::vec2(no_finer, selection_.undergrowth_pixels));
+  for (std::size_t i = 0; i < selection_.undergrowth.size(); ++i) {
+    const auto& list = selection_.undergrowth[i];
+    if (list.empty()) continue;
+    set_wood(program, kinds_.undergrowth()[i]);
+    draw_instances(kinds_.undergrowth()[i].near.front(), instances_, first, list.size(), drawn);
+    first += list.size();
   }
   return drawn;
 }
 
-DrawCount PlantRenderer::draw_tufts() const {
+DrawCount PlantRenderer::draw_tufts(const ShaderProgram& program) const {
   DrawCount drawn;
   std::size_t first = 0;
-  for (const auto* lists : {&selection_.near, &selection_.mid}) {
+  for (const auto* lists : {&selection_.close, &selection_.near, &selection_.mid, &selection_.undergrowth}) {
     for (const auto& list : *lists) first += list.size();
   }
-  tuft_program_.use();
-  tuft_program_.set("fade", glm::vec2(0.08F, 0.75F) * selection_.herb_reach);
+  program.use();
+  program.set("fade", glm::vec2(0.08F, 0.75F) * selection_.herb_reach);
   for (const bool near : {true, false}) {
     const auto& lists = near ? selection_.near_tufts : selection_.far_tufts;
-    tuft_program_.set("given", glm::vec2(near ? 1 : -1, 1) * selection_.tuft_change);
+    program.set("given", glm::vec2(near ? 1 : -1, 1) * selection_.tuft_change);
     for (std::size_t i = 0; i < lists.size(); ++i) {
       if (lists[i].empty()) continue;
       const PlantKind& kind = kinds_.kinds()[i];
-      set_flowers(tuft_program_, kind);
+      set_flowers(program, kind);
       draw_instances((near ? kind.near : kind.mid).front(), instances_, first, lists[i].size(), drawn);
       first += lists[i].size();
     }

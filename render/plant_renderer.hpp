@@ -37,23 +37,29 @@ class PlantRenderer {
   DrawCount draw_shade(const glm::vec4& area, const glm::vec3& light_direction);
   /// The square that is shaded around an eye `above` metres over the ground: west, south, side in metres, strength.
   [[nodiscard]] static glm::vec4 shade_area(const glm::dvec3& eye, double above);
-  DrawCount draw() const;
+  /// `shadows`: they are read from the ShadowMap that is bound.
+  DrawCount draw(bool shadows) const;
 
   /// Distances over which plants give way to the ground's canopy colour, m.
   [[nodiscard]] glm::vec2 canopy_range() const { return {selection_.levels[0].far_from, selection_.levels[0].far_to}; }
+  /// What throws shadows.
+  [[nodiscard]] const PlantBlocks& blocks() const { return blocks_; }
+  [[nodiscard]] const PlantArena& arena() const { return arena_; }
+  [[nodiscard]] const PlantKinds& kinds() const { return kinds_; }
   /// Where they stand.
   [[nodiscard]] const PlantPlacement& placement() const { return blocks_.placement(); }
   [[nodiscard]] std::size_t plants_drawn() const { return selection_.count; }
-  /// Memory of instances on both sides.
+  /// Memory of instances on both sides, and what it may become.
   [[nodiscard]] std::size_t bytes() const { return blocks_.bytes() + arena_.bytes() + streamed_bytes_; }
+  [[nodiscard]] std::size_t most_bytes() const { return blocks_.most_bytes() + arena_.most_bytes() + streamed_bytes_; }
 
  private:
   PlantRenderer() = default;
   [[nodiscard]] bool sees(Stratum stratum, const PlantBudget& budget, const glm::dvec3& eye) const;
   void upload_selection();
   [[nodiscard]] std::vector<FarDraw> shading_blocks(const glm::vec4& area) const;
-  DrawCount draw_meshes() const;
-  DrawCount draw_tufts() const;
+  DrawCount draw_meshes(const ShaderProgram& program) const;
+  DrawCount draw_tufts(const ShaderProgram& program) const;
   DrawCount draw_far() const;
 
   std::shared_ptr<const MapsSnapshot> snapshot_;
@@ -63,6 +69,9 @@ class PlantRenderer {
   PlantSelection selection_;
   ShaderProgram mesh_program_;
   ShaderProgram tuft_program_;
+  /// The same with shadows.
+  ShaderProgram shadowed_mesh_program_;
+  ShaderProgram shadowed_tuft_program_;
   ShaderProgram far_program_;
   ShaderProgram shade_program_;
   /// Plants chosen for this frame, one list after the other.
@@ -77,6 +86,8 @@ class PlantRenderer {
   /// What the shade texture shows.
   glm::vec4 shaded_area_{0};
   glm::vec3 shaded_light_{0};
+  /// Metres around the eye from which plants throw shade, by stratum; 0 where they are not seen.
+  std::array<float, strata> shading_reach_{};
   bool complete_ = false;
 };
 

@@ -23,6 +23,11 @@ struct Candidate {
   const PlantInstance* plant;
 };
 
+/// Height on the screen of a plant; those of a high rank count as a little taller. The same as in plant_lod.glsl.
+float seen_pixels(const glm::vec3& offset, float height, float rank) {
+  return reference_pixels_per_radian * height / std::max(glm::length(offset), 0.5F) * (0.88F + 0.24F * rank);
+}
+
 /// The height from which at most `most` are taller, if that is more than `least`.
 float height_of_last(std::vector<Candidate>& list, std::size_t most, float least) {
   if (list.size() <= most) return least;
@@ -45,22 +50,22 @@ struct SeenBlock {
 
 class Selector {
  public:
-  Selector(const std::vector<PlantKind>& kinds, const SpeciesVisibility& visible, const PlantBudget& budget,
-           const FrameUniforms& frame, const Frustum& frustum)
-      : kinds_(kinds), budget_(budget), eye_(frame.eye), frustum_(frustum) {
-    for (const PlantKind& kind : kinds) {
+  Selector(const PlantKinds& plants, const SpeciesVisibility& visible, const PlantBudget& budget, const FrameUniforms& frame,
+           const Frustum& frustum)
+      : kinds_(plants.kinds()), floor_(plants.undergrowth()), budget_(budget), eye_(frame.eye), frustum_(frustum) {
+    for (const PlantKind& kind : kinds_) {
       const auto number = std::size_t(kind.species);
       shown_.push_back(number >= visible.size() || visible[number]);
       auto& tallest = tallest_[std::size_t(kind.stratum)];
-      tallest = std::max(tallest, 1.7F * kind.extent.height);
-      largest_radius_ = std::max(largest_radius_, 1.5F * kind.extent.radius);
+      tallest = std::max(tallest, 1.2F * largest_plant_scale * kind.extent.height);
+      largest_radius_ = std::max(largest_radius_, largest_plant_scale * kind.extent.radius);
     }
     out_.tuft_change = {0.7F * budget.blade_reach, budget.blade_reach};
     out_.herb_reach = budget.herb_reach;
-    out_.near.resize(plant_models * kinds.size());
-    out_.mid.resize(plant_models * kinds.size());
-    out_.near_tufts.resize(kinds.size());
-    out_.far_tufts.resize(kinds.size());
+    for (auto* lists : {&out_.close, &out_.near, &out_.mid}) lists->resize(plant_models * kinds_.size());
+    out_.near_tufts.resize(kinds_.size());
+    out_.far_tufts.resize(kinds_.size());
+    out_.undergrowth.resize(floor_.size());
   }
 
   void woody(const PlantBlocks& blocks, const PlantArena& arena) {
@@ -118,13 +123,34 @@ class Selector {
     out_.count += tufts.size();
   }
 
+  /// What lies on the ground, as far as it is large enough on the screen.
+  void undergrowth(const PlantBlocks& blocks) {
+    std::vector<Candidate> found;
+    for (const auto& [place, block] : blocks.blocks(Stratum::herb)) {
+      if (block.undergrowth.empty() || distance_of(place, block, Stratum::herb) > budget_.herb_reach) continue;
+      for (const PlantInstance& plant : block.undergrowth) {
+        const PlantExtent& extent = floor_[std::size_t(plant.plant) - first_undergrowth_kind].extent;
+        const glm::vec3 offset = glm::vec3(plant.x, plant.y, plant.z) - eye_;
+        const float pixels = seen_pixels(offset, extent.height * plant.scale, plant.rank);
+        if (pixels < overlap * budget_.undergrowth_pixels || !frustum_.meets_sphere(offset, extent.radius * plant.scale + 1))
+          continue;
+        found.push_back({pixels, &plant});
+      }
+    }
+    out_.undergrowth_pixels = height_of_last(found, budget_.undergrowth, budget_.undergrowth_pixels);
+    for (const Candidate& one : found) {
+      if (one.pixels <= overlap * out_.undergrowth_pixels) continue;
+      out_.undergrowth[std::size_t(one.plant->plant) - first_undergrowth_kind].push_back(*one.plant);
+    }
+  }
+
   PlantSelection take() { return std::move(out_); }
 
  private:
   /// Distance of a block's nearest point from the eye; infinite when nothing of it is in sight.
   float distance_of(std::pair<int, int> place, const PlantBlock& block, Stratum stratum) const {
     constexpr float out_of_sight = 1e9F;
-    if (block.plants.empty()) return out_of_sight;
+    if (block.low > block.high) return out_of_sight;
     const float side = PlantPlacement::block_side(stratum);
     const float margin = stratum == Stratum::herb ? 0.5F : largest_radius_;
     const glm::vec3 low = glm::vec3(float(place.second) * side - margin, float(place.first) * side - margin, block.low) - eye_;
@@ -148,8 +174,7 @@ class Selector {
       const glm::vec3 offset = glm::vec3(plant.x, plant.y, plant.z) - eye_;
       const PlantExtent& extent = kinds_[kind].extent;
       const float height = extent.height * plant.scale;
-      const float pixels =
-          reference_pixels_per_radian * height / std::max(glm::length(offset), 0.5F) * (0.88F + 0.24F * plant.rank);
+      const float pixels = seen_pixels(offset, height, plant.rank);
       if (pixels < overlap * budget_.mid_pixels) continue;
       const float radius = std::max(0.5F * height, extent.radius * plant.scale) * 1.25F;
       if (!frustum_.meets_sphere(offset + glm::vec3(0, 0, 0.5F * height), radius)) continue;
@@ -160,13 +185,15 @@ class Selector {
   void meshes() {
     const float mid = height_of_last(candidates_, budget_.near + budget_.mid, budget_.mid_pixels);
     const float near = std::max(mid, height_of_last(candidates_, budget_.near, budget_.near_pixels));
-    for (PlantLevels& levels : out_.levels) levels = {near, mid, 0, 0};
+    const float close = std::max(near, height_of_last(candidates_, budget_.close, budget_.close_pixels));
+    for (PlantLevels& levels : out_.levels) levels = {close, near, mid, 0, 0};
     for (const Candidate& candidate : candidates_) {
       if (candidate.pixels <= overlap * mid) continue;
       const PlantInstance& plant = *candidate.plant;
       const std::size_t list = plant_models * std::size_t(plant.plant) + std::size_t(model_of(plant));
       // Between two levels it is drawn in both, each with a part of its dots.
-      if (candidate.pixels > overlap * near) out_.near[list].push_back(plant);
+      if (candidate.pixels > overlap * close) out_.close[list].push_back(plant);
+      if (candidate.pixels > overlap * near && candidate.pixels < close) out_.near[list].push_back(plant);
       if (candidate.pixels < near) out_.mid[list].push_back(plant);
       ++out_.count;
     }
@@ -215,7 +242,8 @@ class Selector {
     for (const SeenBlock& block : seen) {
       const float share = far_share(levels, block.distance);
       if (block.resident == nullptr || share <= 0) continue;
-      const std::size_t plants = plants_at(*block.block, share);
+      // A block that waits for its upload shows what it was.
+      const std::size_t plants = std::min(plants_at(*block.block, share), std::size_t(block.resident->run.count));
       if (plants == 0) continue;
       out_.far[stratum].push_back({4, std::uint32_t(plants), 0, block.resident->run.first});
       sum += plants;
@@ -225,6 +253,7 @@ class Selector {
   }
 
   const std::vector<PlantKind>& kinds_;
+  const std::vector<PlantKind>& floor_;
   const PlantBudget& budget_;
   const glm::vec3 eye_;
   const Frustum& frustum_;
@@ -245,6 +274,8 @@ PlantBudget PlantBudget::of(float quality) {
   const float meshes = q <= 1 ? std::pow(q, 2.5F) : q;
   budget.near = times(budget.near, meshes);
   budget.mid = times(budget.mid, meshes);
+  budget.close = q < 0.75F ? 0 : times(budget.close, std::pow(q, 1.5F));
+  budget.undergrowth = times(budget.undergrowth, q <= 1 ? q * q : std::pow(q, 1.6F));
   // A GPU draws far plants by the million; a processor counts each.
   const float far = q <= 1 ? q : std::pow(q, 2.9F);
   budget.far = times(budget.far, far);
@@ -256,18 +287,21 @@ PlantBudget PlantBudget::of(float quality) {
   budget.herb_reach *= std::sqrt(q);
   budget.blade_reach *= q <= 1 ? std::sqrt(q) : q;
   if (q > 1) {
+    budget.close_pixels /= std::sqrt(q);
+    budget.undergrowth_pixels /= std::sqrt(q);
     budget.near_pixels /= std::sqrt(q);
     budget.mid_pixels /= std::sqrt(q);
   }
   return budget;
 }
 
-PlantSelection select_plants(const PlantBlocks& blocks, const PlantArena& arena, const std::vector<PlantKind>& kinds,
+PlantSelection select_plants(const PlantBlocks& blocks, const PlantArena& arena, const PlantKinds& plants,
                              const SpeciesVisibility& visible, const PlantBudget& budget, const FrameUniforms& frame,
                              const Frustum& frustum) {
-  Selector selector(kinds, visible, budget, frame, frustum);
+  Selector selector(plants, visible, budget, frame, frustum);
   selector.woody(blocks, arena);
   selector.tufts(blocks);
+  selector.undergrowth(blocks);
   return selector.take();
 }
 

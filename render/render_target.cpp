@@ -45,18 +45,22 @@ void RenderTarget::make() {
   glTextureParameteri(colour_, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTextureParameteri(colour_, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTextureParameteri(colour_, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  glCreateRenderbuffers(1, &depth_);
-  glNamedRenderbufferStorage(depth_, GL_DEPTH_COMPONENT32F, width_, height_);
+  glCreateTextures(GL_TEXTURE_2D, 1, &depth_);
+  glTextureStorage2D(depth_, 1, GL_DEPTH_COMPONENT32F, width_, height_);
+  glTextureParameteri(depth_, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTextureParameteri(depth_, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTextureParameteri(depth_, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTextureParameteri(depth_, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   glCreateFramebuffers(1, &framebuffer_);
   glNamedFramebufferTexture(framebuffer_, GL_COLOR_ATTACHMENT0, colour_, 0);
-  glNamedFramebufferRenderbuffer(framebuffer_, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
+  glNamedFramebufferTexture(framebuffer_, GL_DEPTH_ATTACHMENT, depth_, 0);
   assert(glCheckNamedFramebufferStatus(framebuffer_, GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
 }
 
 void RenderTarget::drop() {
   glDeleteFramebuffers(1, &framebuffer_);
   glDeleteTextures(1, &colour_);
-  glDeleteRenderbuffers(1, &depth_);
+  glDeleteTextures(1, &depth_);
   framebuffer_ = colour_ = depth_ = 0;
 }
 

@@ -45,9 +45,18 @@ Result<std::string> read_text(const fs::path& file) {
   return text.str();
 }
 
-Result<GLuint> compile(GLenum stage, const fs::path& folder, const std::string& file) {
-  const auto text = read_shader(folder, file);
+/// The text with names defined after its first line, which is its version.
+std::string with_definitions(std::string text, std::span<const std::string> definitions) {
+  std::string lines;
+  for (const std::string& name : definitions) lines += "#define " + name + "\n";
+  if (!lines.empty()) text.insert(text.find('\n') + 1, lines + "#line 2\n");
+  return text;
+}
+
+Result<GLuint> compile(GLenum stage, const fs::path& folder, const std::string& file, std::span<const std::string> definitions) {
+  auto text = read_shader(folder, file);
   if (!text) return tl::unexpected(text.error());
+  *text = with_definitions(std::move(*text), definitions);
   const GLuint shader = glCreateShader(stage);
   const char* source = text->c_str();
   glShaderSource(shader, 1, &source, nullptr);
@@ -76,7 +85,7 @@ Result<std::string> read_shader(const fs::path& folder, const std::string& file)
   while (std::getline(lines, line)) {
     ++number;
     if (const auto name = included_file(line)) {
-      const auto inner = read_text(folder / *name);
+      const auto inner = read_shader(folder, *name);
       if (!inner) return fail(inner.error().message + " (included by " + file + ", line " + std::to_string(number) + ")");
       out += "#line " + std::to_string(1000 * ++includes) + "\n" + *inner + "\n#line " + std::to_string(number + 1) + "\n";
     } else {
@@ -86,12 +95,13 @@ Result<std::string> read_shader(const fs::path& folder, const std::string& file)
   return out;
 }
 
-Result<ShaderProgram> load_shader_program(const std::string& vertex_file, const std::string& fragment_file) {
+Result<ShaderProgram> load_shader_program(const std::string& vertex_file, const std::string& fragment_file,
+                                          std::span<const std::string> definitions) {
   const auto folder = shaders_folder();
   if (!folder) return tl::unexpected(folder.error());
-  const auto vertex = compile(GL_VERTEX_SHADER, *folder, vertex_file);
+  const auto vertex = compile(GL_VERTEX_SHADER, *folder, vertex_file, definitions);
   if (!vertex) return tl::unexpected(vertex.error());
-  const auto fragment = compile(GL_FRAGMENT_SHADER, *folder, fragment_file);
+  const auto fragment = compile(GL_FRAGMENT_SHADER, *folder, fragment_file, definitions);
   if (!fragment) {
     glDeleteShader(*vertex);
     return tl::unexpected(fragment.error());

@@ -34,6 +34,12 @@ Result<std::unique_ptr<TerrainRenderer>> TerrainRenderer::create() {
     auto program = load_shader_program("landscape/terrain.vert", std::string("landscape/terrain_") + surfaces[i] + ".frag");
     if (!program) return tl::unexpected(program.error());
     renderer->programs_[i] = std::move(*program);
+    if (i < 4) continue;
+    const std::array<std::string, 1> shadows{"WITH_SHADOWS"};
+    auto shadowed =
+        load_shader_program("landscape/terrain.vert", std::string("landscape/terrain_") + surfaces[i] + ".frag", shadows);
+    if (!shadowed) return tl::unexpected(shadowed.error());
+    renderer->programs_[i + 4] = std::move(*shadowed);
   }
   renderer->detail_ = upload_rgba(detail_noise(), {GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT});
   renderer->make_patch();
@@ -157,7 +163,7 @@ DrawCount TerrainRenderer::draw(const TerrainLook& look, const glm::dvec3& eye, 
   glBindVertexArray(patch_array_.name());
   int draw_calls = 0;
   std::size_t first = 0;
-  const std::size_t detailed = look.quality >= detailed_quality ? 4 : 0;
+  const std::size_t detailed = look.shadows ? 8 : look.quality >= detailed_quality ? 4 : 0;
   for (std::size_t i = 0; i < by_variant.size(); ++i) {
     if (by_variant[i].empty()) continue;
     const ShaderProgram& program = programs_[i + detailed];
@@ -201,6 +207,7 @@ void TerrainRenderer::set_look(const ShaderProgram& program, const TerrainLook& 
   program.set("patch_cells", float(patch_cells));
   program.set("canopy_range", glm::vec4(look.canopy_from, look.canopy_whole, look.canopy_strength, 0));
   program.set("show", glm::vec4(look.water ? 1 : 0, look.trails ? 1 : 0, 0, 0));
+  program.set("mirror", look.mirrored ? glm::vec3(*look.mirrored, 1) : glm::vec3(1, 2, 0));
   program.set("brush", look.brush ? glm::vec4(*look.brush, 1) : glm::vec4(0));
 }
 

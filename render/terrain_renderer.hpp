@@ -20,6 +20,11 @@ struct TerrainLook {
   bool water = true;
   bool trails = true;
   float quality = 1;
+  /// Shadows are read from the ShadowMap that is bound.
+  bool shadows = false;
+  /// Where water mirrors what ScreenEffects::keep_for_water() bound: nearest and farthest depth of that, m. Read with shadows
+  /// only.
+  std::optional<glm::vec2> mirrored;
   /// Crowns are painted on the ground from `canopy_from` metres on, wholly from `canopy_whole`; strength 0 shows none.
   float canopy_from = 700;
   float canopy_whole = 1100;
@@ -79,8 +84,9 @@ class TerrainRenderer {
   std::shared_ptr<const GroundPicture> shown_;
   /// Made, and being uploaded.
   std::shared_ptr<const GroundPicture> coming_;
-  /// By variant: 1 when water may be near, 2 when crowns are painted on the ground; 4 more with small things.
-  std::array<ShaderProgram, 8> programs_;
+  /// By variant: 1 when water may be near, 2 when crowns are painted on the ground; 4 more with small things, 8 with these and
+  /// shadows.
+  std::array<ShaderProgram, 12> programs_;
   VertexArray patch_array_;
   Buffer patch_vertices_;
   Buffer patch_indices_;

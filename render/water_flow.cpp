@@ -28,9 +28,10 @@ struct FlowSum {
 
 class FlowBaker {
  public:
-  FlowBaker(const Terrain& terrain, const Hydrology& hydrology, int stride)
+  FlowBaker(const Terrain& terrain, const Hydrology& hydrology, int stride, const FordLook& fords)
       : terrain_(terrain),
         hydrology_(hydrology),
+        fords_(fords),
         stride_(stride),
         sums_(terrain.height.width() / stride, terrain.height.height() / stride) {}
 
@@ -41,13 +42,16 @@ class FlowBaker {
       const float length = glm::length(along);
       if (length <= 0) continue;
       const std::uint32_t cell = reach.cells[std::size_t(i)];
-      const float depth =
-          hydrology_.water_depth[cell] > 0 ? hydrology_.water_depth[cell] : river_depth(hydrology_.discharge[cell]);
+      const glm::vec2 at = place(reach, i);
+      const float ford = fords_.share(double(at.x), double(at.y));
+      const float depth = ford_depth(
+          hydrology_.water_depth[cell] > 0 ? hydrology_.water_depth[cell] : river_depth(hydrology_.discharge[cell]), ford);
       const float fall = fall_at(reach, i);
-      const float roughness = glm::smoothstep(smooth_fall, white_fall, fall);
+      const float roughness = std::max(glm::smoothstep(smooth_fall, white_fall, fall), ford_roughness(ford));
       // Rows run south.
       const glm::vec2 speed = glm::vec2(along.x, -along.y) / length * stream_speed(depth, fall);
-      add_disc(place(reach, i), 0.5F * river_width(hydrology_.discharge[cell]), {speed, depth, roughness, 1});
+      const float half_width = ford_half_width(0.5F * river_width(hydrology_.discharge[cell]), ford);
+      add_disc(at, half_width, {speed, depth, roughness, 1});
     }
   }
 
@@ -109,6 +113,7 @@ class FlowBaker {
 
   const Terrain& terrain_;
   const Hydrology& hydrology_;
+  const FordLook& fords_;
   int stride_;
   Grid<FlowSum> sums_;
 };
@@ -121,8 +126,8 @@ float stream_speed(float depth, float slope) {
   return std::min(speed, fastest_flow);
 }
 
-Grid<Rgba> water_flow(const Terrain& terrain, const Hydrology& hydrology, int stride) {
-  FlowBaker baker(terrain, hydrology, stride);
+Grid<Rgba> water_flow(const Terrain& terrain, const Hydrology& hydrology, int stride, const FordLook& fords) {
+  FlowBaker baker(terrain, hydrology, stride, fords);
   for (const RiverReach& reach : hydrology.reaches) baker.add(reach);
   return baker.take();
 }

@@ -3,6 +3,7 @@
 #include "core/base/grid.hpp"
 #include "core/terrain/hydrology.hpp"
 #include "core/terrain/terrain.hpp"
+#include "render/ford_look.hpp"
 #include "render/texel_pyramid.hpp"
 
 namespace biotope {
@@ -17,7 +18,7 @@ inline constexpr float deepest_water = 6;
 
 /// How water moves, a texel for every `stride` cells: red and green its speed to the east and north (128 stands, 1 and 255 are
 /// fastest_flow), blue its depth, alpha how rough its bed makes it (0 smooth .. 255 white). Rivers flow along their reaches, in a
-/// band a little wider than they are; lakes and sea stand.
-[[nodiscard]] Grid<Rgba> water_flow(const Terrain& terrain, const Hydrology& hydrology, int stride);
+/// band a little wider than they are; at fords they are shallow and rough; lakes and sea stand.
+[[nodiscard]] Grid<Rgba> water_flow(const Terrain& terrain, const Hydrology& hydrology, int stride, const FordLook& fords = {});
 
 }  // namespace biotope

@@ -174,7 +174,7 @@ void Autosave::tick(EditorState& state, double now) {
   }
   const bool changed = stroking || written_stroking_ || state.edits != written_edits_;
   if (!changed || writing_.running()) return;
-  if (!due_) due_ = now + autosave_seconds;
+  if (!due_) due_ = now + double(state.settings.autosave_seconds);
   if (now < *due_) return;
   due_.reset();
   start_writing(state);

@@ -10,12 +10,9 @@
 
 namespace biotope {
 
-/// Unsaved work is copied this long after it began to differ from the last copy, s: with the time to write it, a crash costs less than
-/// half a minute. Our choice.
-inline constexpr double autosave_seconds = 20;
-
-/// Writes unsaved work beside the person's own files, in the background and in the middle of strokes too, and takes the copy away once the work
-/// is saved or given up. Offers what earlier sessions left.
+/// Writes unsaved work beside the person's own files, in the background and in the middle of strokes too, and takes the copy away
+/// once the work is saved or given up: Settings::autosave_seconds after it began to differ from the last copy. Offers what
+/// earlier sessions left.
 class Autosave {
  public:
   /// Copies go to `folder` as recovery-<process>-<its start>.biotope.

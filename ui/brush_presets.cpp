@@ -159,7 +159,25 @@ void keep_preset(EditorState& state, const std::string& name) {
 
 void remove_preset(EditorState& state, const std::string& name) {
   (void)own_presets(state);
-  if (std::erase_if(*state.presets, [&](const BrushPreset& each) { return each.name == name; }) > 0) save_own(state);
+  std::vector<BrushPreset>& own = *state.presets;
+  const auto found = std::find_if(own.begin(), own.end(), [&](const BrushPreset& each) { return each.name == name; });
+  if (found == own.end()) return;
+  state.thrown_preset.emplace(std::size_t(found - own.begin()), *found);
+  own.erase(found);
+  save_own(state);
+}
+
+void take_back_preset(EditorState& state) {
+  if (!state.thrown_preset) return;
+  (void)own_presets(state);
+  auto [place, thrown] = std::move(*state.thrown_preset);
+  state.thrown_preset.reset();
+  // One that was made meanwhile under the same name stays.
+  const bool taken = std::any_of(state.presets->begin(), state.presets->end(),
+                                 [name = thrown.name](const BrushPreset& each) { return each.name == name; });
+  if (taken) return;
+  state.presets->insert(state.presets->begin() + std::ptrdiff_t(std::min(place, state.presets->size())), std::move(thrown));
+  save_own(state);
 }
 
 }  // namespace biotope

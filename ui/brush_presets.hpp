@@ -52,6 +52,8 @@ struct BrushPreset {
 void use_preset(EditorState& state, const BrushPreset& preset);
 /// The brush in the hand under a name; one of the same name is replaced. Saved at once.
 void keep_preset(EditorState& state, const std::string& name);
+/// Throws one of the person's own away; it can be taken back until another one is.
 void remove_preset(EditorState& state, const std::string& name);
+void take_back_preset(EditorState& state);
 
 }  // namespace biotope

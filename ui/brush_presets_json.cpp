@@ -104,6 +104,8 @@ json preset_json(const BrushPreset& preset) {
               {"hardness", brush.hardness},
               {"falloff", word(falloff_names, brush.falloff)},
               {"spacing", brush.spacing},
+              {"pressure_sizes", brush.pressure_sizes},
+              {"pressure_strengthens", brush.pressure_strengthens},
               {"noise_size", brush.noise_size},
               {"stamp_turn", brush.stamp_turn},
               {"stamp_turns_by_chance", brush.stamp_turns_by_chance},
@@ -124,6 +126,8 @@ BrushPreset read_preset(const json& object) {
   read_number(object, "hardness", 0, 1, preset.brush.hardness);
   (void)read_word(object, "falloff", falloff_names, preset.brush.falloff);
   read_number(object, "spacing", 0.02F, 4, preset.brush.spacing);
+  read_flag(object, "pressure_sizes", preset.brush.pressure_sizes);
+  read_flag(object, "pressure_strengthens", preset.brush.pressure_strengthens);
   read_number(object, "noise_size", 1, 1000, preset.brush.noise_size);
   read_number(object, "stamp_turn", -360, 360, preset.brush.stamp_turn);
   read_flag(object, "stamp_turns_by_chance", preset.brush.stamp_turns_by_chance);

@@ -173,7 +173,7 @@ void CameraGestures::handle(const UiContext& ui, const Pointer& pointer) {
     return;
   }
   fly(ui, held);
-  state.view.camera = kept_over_ground(state.view.camera, ground_of(state));
+  state.view.camera = kept_over_ground(state.view.camera, ground_of(state), 1.5, water_of(state));
   const bool changed = before.position != state.view.camera.position || before.pitch != state.view.camera.pitch;
   if (changed) keep_arm(state);
 }

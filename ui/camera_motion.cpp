@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render/landscape_renderer.hpp"
+#include "ui/walking.hpp"
 
 namespace biotope {
 namespace {
@@ -74,14 +75,14 @@ Camera moved(const Camera& camera, double right, double forward, double up) {
   return next;
 }
 
-Camera kept_over_ground(const Camera& camera, const Terrain& terrain, double clearance) {
+Camera kept_over_ground(const Camera& camera, const Terrain& terrain, double clearance, const Hydrology* water) {
   Camera next = camera;
   const double reach = 2 * std::max(terrain.width_metres(), terrain.height_metres());
   next.position.x = std::clamp(next.position.x, -reach, terrain.width_metres() + reach);
   next.position.y = std::clamp(next.position.y, -reach, terrain.height_metres() + reach);
   const double x = std::clamp(next.position.x, 0.0, terrain.width_metres());
   const double y = std::clamp(next.position.y, 0.0, terrain.height_metres());
-  const double ground = ground_height(terrain, x, y);
+  const double ground = ground_height(terrain, x, y) + water_depth({terrain, water}, {x, y});
   next.position.z = std::clamp(next.position.z, ground + clearance, ground + 3 * reach);
   return next;
 }

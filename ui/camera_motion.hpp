@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "core/terrain/hydrology.hpp"
 #include "core/terrain/terrain.hpp"
 #include "render/camera.hpp"
 #include "ui/view_transform.hpp"
@@ -18,8 +19,10 @@ namespace biotope {
 [[nodiscard]] Camera orbited(const Camera& camera, const glm::dvec3& around, float right, float up);
 /// Moved by metres along its own axes.
 [[nodiscard]] Camera moved(const Camera& camera, double right, double forward, double up);
-/// Never below `clearance` metres over the ground, nor lost far outside the landscape.
-[[nodiscard]] Camera kept_over_ground(const Camera& camera, const Terrain& terrain, double clearance = 1.5);
+/// Never below `clearance` metres over the ground and the surface of `water` (may be null: dry land), nor lost far outside the
+/// landscape.
+[[nodiscard]] Camera kept_over_ground(const Camera& camera, const Terrain& terrain, double clearance = 1.5,
+                                      const Hydrology* water = nullptr);
 
 /// Cell coordinates of a place in metres, and back.
 [[nodiscard]] PathPoint cell_of(const Terrain& terrain, const glm::dvec3& place);

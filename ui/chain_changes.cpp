@@ -88,9 +88,22 @@ bool ChainChanges::follow(const std::vector<SpeciesFigures>& figures, std::uint6
   latest_revision_ = answered;
   if (!answering_) return false;
   changes_ = changes_between(before_, figures);
+  while (!posted_.empty() && posted_.front().first <= answered) {
+    answered_edit_ = std::move(posted_.front().second);
+    posted_.pop_front();
+  }
   if (editing || answered < posted) return false;
   answering_ = false;
   return true;
+}
+
+void ChainChanges::note_posted(std::uint64_t revision, std::string edit) { posted_.emplace_back(revision, std::move(edit)); }
+
+std::string last_edit_words(const History& history, std::size_t position_before, bool stroking) {
+  if (stroking) return "the stroke so far";
+  const std::size_t position = history.position();
+  if (position < position_before && position < history.size()) return "Undo: " + history.name(position);
+  return position > 0 ? history.name(position - 1) : std::string();
 }
 
 void ChainChanges::forget() { *this = ChainChanges(); }

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "core/document/history.hpp"
 #include "core/species/species_library.hpp"
 #include "ui/species_figures.hpp"
 
@@ -37,6 +40,10 @@ class ChainChanges {
   bool follow(const std::vector<SpeciesFigures>& figures, std::uint64_t answered, std::uint64_t posted, bool editing);
   /// Another landscape: forgets.
   void forget();
+  /// Document revision `revision` was posted; it is what `edit` made.
+  void note_posted(std::uint64_t revision, std::string edit);
+  /// The edit that `changes` is the answer to: the newest that the figures know of; empty before any.
+  [[nodiscard]] const std::string& answered_edit() const { return answered_edit_; }
   /// What the last edit did, so far.
   [[nodiscard]] const std::vector<SpeciesChange>& changes() const { return changes_; }
 
@@ -47,6 +54,12 @@ class ChainChanges {
   std::vector<SpeciesFigures> latest_;
   std::uint64_t latest_revision_ = 0;
   std::vector<SpeciesChange> changes_;
+  std::deque<std::pair<std::uint64_t, std::string>> posted_;
+  std::string answered_edit_;
 };
+
+/// What a person did last, in words: a step of the history ("Paint oak"), "Undo: Paint oak" where the history went back from
+/// `position_before`, or that a stroke is going on.
+[[nodiscard]] std::string last_edit_words(const History& history, std::size_t position_before, bool stroking);
 
 }  // namespace biotope

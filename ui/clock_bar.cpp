@@ -61,7 +61,8 @@ void draw_day(const UiContext& ui, ImVec2 at, ImVec2 size) {
 void draw_hours(const Theme& theme, ImVec2 at, float width) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   ImGui::PushFont(theme.small);
-  for (int hour = 0; hour <= 24; hour += width > theme.px(420) ? 3 : 6) {
+  const int step = width > theme.px(420) ? 3 : width > theme.px(170) ? 6 : 12;
+  for (int hour = 0; hour <= 24; hour += step) {
     const std::string words = std::to_string(hour) + (hour == 24 ? " h" : "");
     const float half = ImGui::CalcTextSize(words.c_str()).x / 2;
     const float x = std::clamp(at.x + width * float(hour) / 24 - half, at.x, at.x + width - 2 * half);

@@ -123,6 +123,10 @@ void add_view(std::vector<EditorCommand>& list) {
   add_switch(list, "view.hatch", "Hatch what is painted", "", "Mark where the map has been painted", &EditorView::hatch);
   add_switch(list, "view.iso_lines", "Iso-lines of the map", "I", "Draw lines of equal value of the map over the terrain",
              &EditorView::iso_lines);
+  add_switch(list, "view.drape", "Map over the 3D view", "Shift+O", "Lay the map that you look at over the 3D view",
+             &EditorView::drape);
+  add_switch(list, "view.drape_painting", "Map over the 3D view while painting", "",
+             "Lay the map that you paint over the 3D view as long as a brush is in the hand", &EditorView::drape_while_painting);
   add_switch(list, "view.food_chain", "Food chain", "F4",
              "Levels, species, what flows between them, and what the last edit changed", &EditorView::food_chain);
   for (int tab = 0; tab < tab_count; ++tab) {

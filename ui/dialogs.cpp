@@ -24,7 +24,7 @@ void draw_message(const UiContext& ui) {
   bool open = true;
   const EditorMessage message = state.messages.front();
   if (!begin_modal(ui, (message.title + "###message").c_str(), open, 480)) return;
-  ImGui::TextWrapped("%s", message.text.c_str());
+  wrapped(ui.theme.text, message.text);
   ImGui::Dummy(ImVec2(0, ui.theme.px(8)));
   align_buttons(ui.theme, 1, button_width);
   const bool closed = primary_button(ui.theme, "OK", ui.theme.px(button_width)) || take_key(state, DialogKey::enter) || !open;
@@ -238,6 +238,7 @@ void draw_dialogs(const UiContext& ui) {
   draw_playing(ui);
   draw_unsaved_recording(ui);
   draw_select_range(ui);
+  draw_image_import(ui);
   draw_shortcut_list(ui);
   draw_settings_dialog(ui);
   draw_picture_dialog(ui);

@@ -16,6 +16,7 @@ void draw_file_request(const UiContext& ui);
 void draw_playing(const UiContext& ui);
 void draw_unsaved_recording(const UiContext& ui);
 void draw_select_range(const UiContext& ui);
+void draw_image_import(const UiContext& ui);
 
 /// Opens (once) and begins a centred modal; end with ImGui::EndPopup. `open` is the flag in OpenDialogs, cleared when the modal
 /// closes.

@@ -16,7 +16,8 @@ bool looks_at_all_cells(const Edit& edit) {
   if (const auto* select = std::get_if<SelectEdit>(&edit)) {
     return select->shape != SelectEdit::Shape::everything && select->shape != SelectEdit::Shape::nothing;
   }
-  return !std::holds_alternative<PartsEdit>(edit) && !std::holds_alternative<ClearEdit>(edit);
+  return !std::holds_alternative<PartsEdit>(edit) && !std::holds_alternative<ClearEdit>(edit) &&
+         !std::holds_alternative<LockEdit>(edit);
 }
 
 Result<std::unique_ptr<Command>> made(const Document& document, const Edit& edit,
@@ -36,8 +37,8 @@ void take_effect(EditorState& state, const Edit& edit, Result<std::unique_ptr<Co
   }
   state.history.perform(state.document, std::move(*command));
   ++state.edits;
-  // What is selected changes no map.
-  if (!std::holds_alternative<SelectEdit>(edit)) state.must_post = true;
+  // What is selected or locked changes no map.
+  if (!std::holds_alternative<SelectEdit>(edit) && !std::holds_alternative<LockEdit>(edit)) state.must_post = true;
   state.painting.follow(state.document);
   recorded(state, edit);
 }

@@ -1,5 +1,6 @@
 #include "ui/edit_player.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/exchange/edit_script_files.hpp"
@@ -35,7 +36,7 @@ void finish_saving_recording(EditorState& state) {
   announce(state, "Saved " + edits_text(**saved) + " in " + file);
   if (state.recorder.missed() == 0) return;
   complain(state, "Some changes are not in the script",
-           Error{edits_text(state.recorder.missed()) + " changed the terrain or given maps, which an edit script cannot hold."});
+           Error{edits_text(state.recorder.missed()) + " changed given environment maps, which an edit script cannot hold."});
 }
 
 /// The steps that have been made since the last time.
@@ -46,6 +47,13 @@ std::deque<EditPlayer::Step> take_steps(EditPlayer& player) {
 }
 
 void take_step(EditorState& state, const EditPlayer::Step& step) {
+  if (step.opened) {
+    replace_document(state, *step.opened);
+    // Nothing of it is on the disk as a scene.
+    state.edits = 1;
+    ++state.player.done;
+    return;
+  }
   if (step.command) state.history.perform(state.document, shared_command(step.command));
   for (int i = 0; i < step.steps; ++i) state.history.redo(state.document);
   for (int i = 0; i > step.steps; --i) state.history.undo(state.document);
@@ -61,6 +69,42 @@ void take_steps_made(EditorState& state) {
   player.edits = state.edits;
   state.must_post = true;
   state.painting.follow(state.document);
+}
+
+void play_script(EditorState& state, EditScript script) {
+  EditPlayer& player = state.player;
+  if (player.task.running()) return;
+  player.queue = std::make_shared<EditPlayer::Queue>();
+  player.queue->count = script.entries.size();
+  player.edits = state.edits;
+  player.task.start("Playing",
+                    [file = player.file, script = std::move(script), document = state.document,
+                     queue = player.queue](const TaskContext& context) -> Result<std::size_t> {
+                      SolveCache cache;
+                      const PlayOptions options{file.filename().string(), file.parent_path()};
+                      const auto played = play(document, script, options, cache, context, [&queue](const PlayedEntry& entry) {
+                        const std::lock_guard lock(queue->mutex);
+                        queue->steps.push_back({entry.command, entry.steps, entry.opened});
+                      });
+                      if (!played) return tl::unexpected(played.error());
+                      return script.entries.size();
+                    });
+}
+
+/// What was read is played, after asking where it would lose unsaved work.
+void finish_reading(EditorState& state) {
+  auto read = state.player.reading.take();
+  if (!read) return;
+  if (!*read) {
+    complain(state, "The edits could not be read", read->error());
+    return;
+  }
+  const auto opens = [](const ScriptEntry& entry) { return std::holds_alternative<OpenEntry>(entry.what); };
+  if (std::none_of((*read)->entries.begin(), (*read)->entries.end(), opens)) {
+    play_script(state, std::move(**read));
+    return;
+  }
+  unless_unsaved(state, [script = std::move(**read)](EditorState& later) { play_script(later, script); });
 }
 
 void begin_recording(EditorState& state) {
@@ -125,33 +169,18 @@ void play_edits(EditorState& state, const std::filesystem::path& file) {
     return;
   }
   EditPlayer& player = state.player;
-  player.queue = std::make_shared<EditPlayer::Queue>();
+  player.file = file;
   player.name = file.filename().string();
   player.done = player.count = 0;
   player.edits = state.edits;
-  player.task.start("Playing",
-                    [file, document = state.document, queue = player.queue](const TaskContext& context) -> Result<std::size_t> {
-                      const auto script = load_edit_script(file);
-                      if (!script) return tl::unexpected(script.error());
-                      {
-                        const std::lock_guard lock(queue->mutex);
-                        queue->count = script->entries.size();
-                      }
-                      SolveCache cache;
-                      const PlayOptions options{file.filename().string(), file.parent_path()};
-                      const auto played = play(document, *script, options, cache, context, [&queue](const PlayedEntry& entry) {
-                        const std::lock_guard lock(queue->mutex);
-                        queue->steps.push_back({entry.command, entry.steps});
-                      });
-                      if (!played) return tl::unexpected(played.error());
-                      return script->entries.size();
-                    });
+  player.reading.start("Reading", [file](const TaskContext&) { return load_edit_script(file); });
 }
 
 void advance_playing(EditorState& state) {
   EditPlayer& player = state.player;
   finish_saving_recording(state);
-  if (!player.running()) return;
+  finish_reading(state);
+  if (!player.task.running()) return;
   if (state.edits != player.edits) {
     player.task.cancel();
     complain(state, "Playing stopped", Error{"The landscape was changed while " + player.name + " was played."});
@@ -170,7 +199,9 @@ void advance_playing(EditorState& state) {
 
 void cancel_playing(EditorState& state) {
   if (!state.player.running()) return;
+  state.player.reading.cancel();
   state.player.task.cancel();
+  if (!state.player.queue) return;
   take_steps_made(state);
   announce(state, "Playing was stopped after " + edits_text(state.player.done));
 }

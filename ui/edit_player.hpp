@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/document/history.hpp"
+#include "core/exchange/edit_script.hpp"
 #include "ui/background_task.hpp"
 
 namespace biotope {
@@ -20,6 +21,7 @@ struct EditPlayer {
   struct Step {
     std::shared_ptr<const Command> command;  ///< null for undo and redo
     int steps = 0;                           ///< of undo (less than 0) and redo
+    std::shared_ptr<const Document> opened;  ///< in place of the landscape there was
   };
   struct Queue {
     std::mutex mutex;
@@ -27,11 +29,13 @@ struct EditPlayer {
     std::size_t count = 0;
   };
 
+  BackgroundTask<EditScript> reading;
   BackgroundTask<std::size_t> task;
   /// A recording being written.
   BackgroundTask<std::size_t> saving;
   std::shared_ptr<Queue> queue;
   std::string name;
+  std::filesystem::path file;
   /// What waits for an answer about an unsaved recording.
   std::function<void(EditorState&)> after_recording;
   /// Entries that are done, of all.
@@ -39,7 +43,7 @@ struct EditPlayer {
   std::size_t count = 0;
   /// Count of edits the document must have, or somebody else changed it.
   std::uint64_t edits = 0;
-  [[nodiscard]] bool running() const { return task.running(); }
+  [[nodiscard]] bool running() const { return reading.running() || task.running(); }
 };
 
 // Recording.
@@ -59,7 +63,8 @@ void stop_and_save_recording(EditorState& state);
 
 /// Asks for a script and plays it on the document.
 void ask_to_play(EditorState& state);
-/// Plays a script in the background: one step of the history for each entry, as soon as it is made.
+/// Reads a script and plays it in the background: one step of the history for each entry, as soon as it is made. One that opens
+/// another landscape asks first where that would lose unsaved work.
 void play_edits(EditorState& state, const std::filesystem::path& file);
 /// Once a frame: does to the document what has been made, and says when a recording is written.
 void advance_playing(EditorState& state);

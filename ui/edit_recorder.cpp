@@ -1,7 +1,9 @@
 #include "ui/edit_recorder.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
+#include <string_view>
 #include <utility>
 
 namespace biotope {
@@ -64,6 +66,19 @@ void EditRecorder::record(const Edit& edit, const Document& after, std::size_t s
   follow(after, step);
 }
 
+void EditRecorder::record_open(const std::string& input, const DemImportOptions& options, const Document& after) {
+  if (!recording_) return;
+  static constexpr std::string_view sample = "sample:";
+  const bool built_in = input.starts_with(sample);
+  std::error_code error;
+  const std::string file = built_in ? std::string() : std::filesystem::absolute(input, error).string();
+  script_.entries.push_back({OpenEntry{built_in ? input.substr(sample.size()) : std::string(), file, options}});
+  may_merge_ = false;
+  undoable_ = redoable_ = 0;
+  before_ = after;
+  follow(after, 0);
+}
+
 void EditRecorder::record_undo(const Document& after, std::size_t step) {
   if (!recording_) return;
   may_merge_ = false;
@@ -113,6 +128,7 @@ ScriptEntry EditRecorder::entry_of(const Edit& edit, const Document& after) {
   if (const auto* clear = std::get_if<ClearEdit>(&edit)) return {*clear};
   if (const auto* image = std::get_if<ImageEdit>(&edit)) return entry_of(*image, after);
   if (const auto* mix = std::get_if<MixEdit>(&edit)) return entry_of(*mix, after);
+  if (const auto* lock = std::get_if<LockEdit>(&edit)) return {LockEntry{*lock, {}}};
   return entry_of(std::get<PartsEdit>(edit), after);
 }
 
@@ -145,7 +161,8 @@ ScriptEntry EditRecorder::difference(const Document& before, const Document& aft
   std::vector<ScriptEntry> layers;
   add_layer_differences(before, after, layers);
   const bool selection = !same(before.selection, after.selection);
-  if (layers.empty() && !selection) return {std::move(parts)};
+  const bool locks = !same(before.locked_area, after.locked_area);
+  if (layers.empty() && !selection && !locks) return {std::move(parts)};
 
   GroupEntry group{name, {}};
   if (!layers.empty()) {
@@ -158,10 +175,15 @@ ScriptEntry EditRecorder::difference(const Document& before, const Document& aft
     if (parts.species && !parts.species->changed.empty()) first.species = SpeciesPatch{parts.species->changed, {}, {}};
     if (!first.empty()) group.entries.push_back({std::move(first)});
     if (before.selection) group.entries.push_back({MaskEntry{}});
+    if (before.locked_area) group.entries.push_back({LockEntry{{LockEdit::How::nothing}, {}}});
     std::move(layers.begin(), layers.end(), std::back_inserter(group.entries));
   }
   if (!parts.empty()) group.entries.push_back({std::move(parts)});
   if (selection || before.selection) group.entries.push_back({MaskEntry{mask_name(after.selection)}});
+  if (locks || (before.locked_area && !layers.empty())) {
+    const LockEdit none{LockEdit::How::nothing};
+    group.entries.push_back({LockEntry{none, mask_name(after.locked_area)}});
+  }
   return {std::move(group)};
 }
 

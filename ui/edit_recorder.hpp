@@ -28,13 +28,15 @@ class EditRecorder {
 
   /// An edit that was done. A step that was merged into the one before (a slider being dragged) is merged here too.
   void record(const Edit& edit, const Document& after, std::size_t step);
+  /// Another landscape was opened (`input` as open_input() takes it): the history begins anew.
+  void record_open(const std::string& input, const DemImportOptions& options, const Document& after);
   /// The history went back, or forward, by one step. Steps from before the recording began are written as what they changed.
   void record_undo(const Document& after, std::size_t step);
   void record_redo(const Document& after, std::size_t step);
 
   [[nodiscard]] const EditScript& script() const { return script_; }
   [[nodiscard]] const ScriptAttachments& attachments() const { return attachments_; }
-  /// Changes that no script can hold: another terrain, given environment maps.
+  /// Changes that no script can hold: given environment maps.
   [[nodiscard]] std::size_t missed() const { return missed_; }
 
  private:

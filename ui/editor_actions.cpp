@@ -8,8 +8,10 @@
 #include "core/exchange/open_input.hpp"
 #include "core/exchange/scene_file.hpp"
 #include "ui/edit_actions.hpp"
+#include "ui/keep_settings.hpp"
 #include "ui/landscape_figures.hpp"
 #include "ui/layer_actions.hpp"
+#include "ui/pictured.hpp"
 #include "ui/tool_gestures.hpp"
 
 namespace biotope {
@@ -18,44 +20,17 @@ namespace {
 /// Marks a document that is not on the disk, whatever its edits.
 constexpr std::uint64_t never_saved = std::numeric_limits<std::uint64_t>::max();
 
-void set_document(EditorState& state, Document document) {
-  state.document = std::move(document);
-  state.has_document = true;
-  state.history.clear();
-  state.edits = state.saved_edits = 0;
-  state.painting.close();
-  state.maps.clear();
-  state.question.reset();
-  state.view.framed = false;
-  state.view.camera_placed = false;
-  state.view.camera_untouched = true;
-  state.exploring = {};
-  forget_herd(state);
-  state.view.visible_species.clear();
-  state.selected_species = -1;
-  state.also_selected.clear();
-  state.grounds.clear();
-  drop_pending_edits(state);
-  state.player.task.cancel();
-  state.recorder.stop();
-  state.edit_listener = {};
-  state.importing.cancel();
-  state.gesture.reset();
-  state.paint.last_point.reset();
-  state.paint.clone_at.reset();
-  state.dragged_value.reset();
-  state.dragged_climate.reset();
-  state.counting.cancel();
-  state.figures_of.reset();
-  state.figures.clear();
-  state.changes.forget();
-  state.shortages.clear();
-  // The ground is shown at once; what lives on it follows.
-  auto bare = std::make_shared<MapsSnapshot>();
-  bare->document = state.document;
-  state.newest = state.shown = bare;
-  state.posted_revision = state.worker->post(state.document);
-  state.must_post = false;
+/// What a person is told of bookmarks that are not as they were saved; empty when all is well.
+std::string views_problem(const SavedViews& views, const std::vector<std::string>& problems, bool damaged) {
+  if (problems.empty()) return {};
+  const std::string others = problems.size() > 1 ? " (and " + std::to_string(problems.size() - 1) + " more)" : "";
+  std::string first = problems.front();
+  if (first.ends_with('.')) first.pop_back();
+  if (damaged && views.unread.empty()) {
+    return first + others + ". All " + std::to_string(views.bookmarks.size()) +
+           " bookmarks in it could be read: look whether they are as you know them. The next save puts the file right.";
+  }
+  return first + others + ". What is in the file stays there until you change a bookmark or the path.";
 }
 
 /// Bookmarks and the camera's path of the scene that was opened. Damage to them is told and takes nothing else away.
@@ -64,17 +39,13 @@ void load_views(EditorState& state, const std::string& input) {
   state.pictures.playing = -1;
   state.pictures.day_passes = false;
   if (std::filesystem::path(input).extension() != ".biotope") return;
-  const auto text = load_scene_views(input);
-  if (!text) return complain(state, "The bookmarks could not be read", text.error());
+  const auto saved = load_scene_views(input);
+  if (!saved) return complain(state, "The bookmarks could not be read", saved.error());
   std::vector<std::string> problems;
-  state.views = read_saved_views(*text, input + ": views.json", problems);
-  if (!problems.empty()) {
-    const std::string others = problems.size() > 1 ? " (and " + std::to_string(problems.size() - 1) + " more)" : "";
-    std::string first = problems.front();
-    if (first.ends_with('.')) first.pop_back();
-    complain(state, "Not all bookmarks and views of the path could be read",
-             {first + others + ". What is in the file stays there until you change a bookmark or the path."});
-  }
+  if (!saved->damage.empty()) problems.push_back(saved->damage);
+  state.views = read_saved_views(saved->text, input + ": views.json", problems);
+  const std::string told = views_problem(state.views, problems, !saved->damage.empty());
+  if (!told.empty()) complain(state, "Not all bookmarks and views of the path could be read", {told});
   if (!state.views.path.hours) return;
   state.pictures.day_passes = true;
   state.pictures.hours = {float((*state.views.path.hours)[0]), float((*state.views.path.hours)[1])};
@@ -100,14 +71,19 @@ void finish_loading(EditorState& state) {
   }
   const bool is_scene = std::filesystem::path(what).extension() == ".biotope" && what != state.recovery_file;
   state.scene_file = is_scene ? std::filesystem::path(what) : std::filesystem::path();
-  set_document(state, std::move(**loaded));
+  cancel_playing(state);
+  const bool recovered = what == state.recovery_file;
+  if (recovered) drop_recording(state);
+  replace_document(state, std::move(**loaded));
+  state.recorder.record_open(what, state.loading_options, state.document);
   load_views(state, what);
-  if (what == state.recovery_file) {
+  if (recovered) {
     state.edits = 1;  // rescued work is not saved yet
     state.rescued = true;
   } else {
     remember_recent(state.settings, what);
   }
+  keep_settings(state);
 }
 
 void finish_saving(EditorState& state) {
@@ -126,6 +102,7 @@ void finish_saving(EditorState& state) {
     return;
   }
   announce(state, "Saved " + state.scene_file.filename().string());
+  keep_settings(state);
   if (again) {
     state.after_saved = std::move(then);
     save(state);
@@ -145,6 +122,7 @@ void take_snapshots(EditorState& state) {
   state.newest = newest;
   const auto complete = state.worker->latest_complete();
   state.shown = belongs(complete) ? complete : newest;
+  state.pictured = pictured_maps(newest, belongs(complete) ? complete : nullptr, state.pictured);
   if (!newest->status && !failed_before) complain(state, "The landscape could not be computed", newest->status.error());
 }
 
@@ -164,7 +142,47 @@ void retire_paint_picture(EditorState& state) {
 
 }  // namespace
 
+void replace_document(EditorState& state, Document document) {
+  state.document = std::move(document);
+  state.has_document = true;
+  state.history.clear();
+  state.edits = state.saved_edits = 0;
+  state.painting.close();
+  state.maps.clear();
+  state.question.reset();
+  state.view.framed = false;
+  state.view.camera_placed = false;
+  state.view.camera_untouched = true;
+  state.exploring = {};
+  forget_herd(state);
+  state.view.visible_species.clear();
+  state.selected_species = -1;
+  state.last_selected = {-1, -1};
+  state.also_selected.clear();
+  state.grounds.clear();
+  drop_pending_edits(state);
+  state.importing.cancel();
+  state.gesture.reset();
+  state.paint.last_point.reset();
+  state.paint.clone_at.reset();
+  state.dragged_value.reset();
+  state.dragged_climate.reset();
+  state.counting.cancel();
+  state.figures_of.reset();
+  state.figures.clear();
+  state.changes.forget();
+  state.shortages.clear();
+  // The ground is shown at once; what lives on it follows.
+  auto bare = std::make_shared<MapsSnapshot>();
+  bare->document = state.document;
+  state.newest = state.shown = state.pictured = bare;
+  state.posted_revision = state.worker->post(state.document);
+  state.posted_position = state.history.position();
+  state.must_post = false;
+}
+
 void open(EditorState& state, const std::string& input, const DemImportOptions& options) {
+  state.loading_options = options;
   state.loading.start(input, [input, options](const TaskContext& context) { return open_input(input, options, context); });
 }
 
@@ -287,6 +305,16 @@ void complain(EditorState& state, std::string title, const Error& error) {
   state.messages.push_back({std::move(title), error.message});
 }
 
+void post_edits(EditorState& state) {
+  if (!state.must_post || !state.has_document) return;
+  state.posted_revision = state.worker->post(state.document);
+  state.changes.note_posted(state.posted_revision,
+                            last_edit_words(state.history, state.posted_position, state.painting.stroking()));
+  state.posted_position = state.history.position();
+  if (state.painting.shown()) state.painting.wait_for(state.posted_revision);
+  state.must_post = false;
+}
+
 void update(EditorState& state, double now, double frame_seconds) {
   state.frame_seconds = float(frame_seconds);
   const std::size_t undo_memory = std::size_t(state.settings.history_megabytes) << 20;
@@ -294,11 +322,7 @@ void update(EditorState& state, double now, double frame_seconds) {
   state.history.tidy();
   finish_loading(state);
   finish_saving(state);
-  if (state.must_post && state.has_document) {
-    state.posted_revision = state.worker->post(state.document);
-    if (state.painting.shown()) state.painting.wait_for(state.posted_revision);
-    state.must_post = false;
-  }
+  post_edits(state);
   take_snapshots(state);
   retire_paint_picture(state);
   advance_playing(state);
@@ -306,6 +330,7 @@ void update(EditorState& state, double now, double frame_seconds) {
   advance_layer_files(state);
   prepare_painting(state);
   follow_landscape(state);
+  select_for_tab(state);
   if (state.clock.playing) {
     state.clock.hour = std::fmod(state.clock.hour + state.clock.speed * std::min(frame_seconds, 0.25), 24.0);
   }

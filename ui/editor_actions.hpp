@@ -52,6 +52,9 @@ void clear_paint(EditorState& state, const LayerId& layer);
 // Looking.
 
 void select_species(EditorState& state, int species);
+/// On the tabs of plants and animals a species of their kind is always selected: the one that was last, else the first. The map
+/// that is shown stays.
+void select_for_tab(EditorState& state);
 /// Puts a species among those painted together, or takes it out; one of another kind is selected alone.
 void toggle_species(EditorState& state, int species);
 void show_map(EditorState& state, const MapId& map);
@@ -66,6 +69,11 @@ void follow_pointer(EditorState& state, double now);
 [[nodiscard]] std::string document_name(const EditorState& state);
 void announce(EditorState& state, std::string text);
 void complain(EditorState& state, std::string title, const Error& error);
+
+/// Hands what was edited to the worker. At the end of a frame too, so that an edit need not wait for the next one.
+void post_edits(EditorState& state);
+/// Another landscape in place of the one that is open, unsaved work or not; its history begins anew.
+void replace_document(EditorState& state, Document document);
 
 /// Once a frame: takes what background work has made, posts what changed, moves the clock.
 void update(EditorState& state, double now, double frame_seconds);

@@ -27,6 +27,8 @@
 #include "ui/file_listing.hpp"
 #include "ui/file_request.hpp"
 #include "ui/herd_day.hpp"
+#include "ui/image_import.hpp"
+#include "ui/inspector_layout.hpp"
 #include "ui/map_cache.hpp"
 #include "ui/map_catalogue.hpp"
 #include "ui/paint_grounds.hpp"
@@ -80,6 +82,9 @@ struct EditorView {
   bool hatch = true;
   bool iso_lines = false;
   bool food_chain = false;
+  /// The map that is looked at lies over the 3D view too: always, or while it is painted.
+  bool drape = false;
+  bool drape_while_painting = true;
   /// 'Why?' follows the pointer instead of waiting for clicks.
   bool why_follows = false;
   float opacity = 0.85F;
@@ -145,6 +150,7 @@ struct OpenDialogs {
   bool recovery = false;
   bool first_steps = false;
   bool select_range = false;
+  bool import_image = false;
   bool views = false;
   bool picture = false;
   bool unsaved_recording = false;
@@ -165,6 +171,19 @@ struct WaterFigures {
   float discharge = 0;  ///< greatest mean of the year, m3/s
 };
 
+/// What the cards of the inspector were about in the frame before.
+struct InspectorSubjects {
+  std::array<int, 2> asked{-1, -1};
+  struct Herd {
+    std::string species;
+    PathPoint home;
+    int number = 0;
+    bool operator==(const Herd&) const = default;
+  };
+  Herd herd;
+  Tool tool = Tool::select;
+};
+
 /// Everything the editor knows that is not on the graphics card. Changed only by the functions of editor_actions.hpp and by
 /// panels.
 struct EditorState {
@@ -182,12 +201,18 @@ struct EditorState {
   std::unique_ptr<Worker> worker;
   std::uint64_t posted_revision = 0;
   bool must_post = false;
+  /// Where the history stood when the document was last posted.
+  std::size_t posted_position = 0;
   /// Newest snapshot for maps, and the one herds, trails and plants are shown from (complete where there is one).
   std::shared_ptr<const MapsSnapshot> newest;
   std::shared_ptr<const MapsSnapshot> shown;
+  /// What the 3D view shows: the newest plants with the herds of `shown` (pictured_maps).
+  std::shared_ptr<const MapsSnapshot> pictured;
 
   MapCache maps;
   BackgroundTask<Document> loading;
+  /// How the landscape that is being opened is read.
+  DemImportOptions loading_options;
   BackgroundTask<bool> saving;
   PaintSession painting;
   PaintGrounds grounds;
@@ -196,10 +221,13 @@ struct EditorState {
   std::optional<ToolGesture> gesture;
   std::optional<CopiedPaint> copied;
   PendingEdits pending;
+  ImageImport image_import;
   BackgroundTask<ImageEdit> importing;
   BackgroundTask<bool> exporting;
   /// The person's own brushes, once they have been read.
   std::optional<std::vector<BrushPreset>> presets;
+  /// The one thrown away last, and where it stood: it can be taken back.
+  std::optional<std::pair<std::size_t, BrushPreset>> thrown_preset;
   /// Told of every edit once it is part of the history (a recorder).
   std::function<void(EditorState&, const Edit&)> edit_listener;
   EditRecorder recorder;
@@ -232,6 +260,8 @@ struct EditorState {
   HerdDay herd_day;
 
   EditorView view;
+  InspectorState inspector;
+  InspectorSubjects inspector_subjects;
   Exploring exploring;
   /// Bookmarks and the camera's path; saved with the scene.
   SavedViews views;
@@ -241,10 +271,10 @@ struct EditorState {
   Brush brush;
   /// Selected species' number in the web; -1: none.
   int selected_species = -1;
+  /// The plant and the animal that were selected last: back on the tab of one, it is selected again.
+  std::array<int, 2> last_selected{-1, -1};
   /// Species that are painted together with the selected one, by number; all plants or all animals.
   std::set<int> also_selected;
-  /// Names of species that no brush may change.
-  std::set<std::string> locked_species;
   std::optional<CellQuestion> question;
   double ask_again_at = 0;
   /// A value being dragged in a panel that becomes one step of the history when it is let go.
@@ -257,6 +287,8 @@ struct EditorState {
 
   Settings settings;
   std::filesystem::path settings_file;
+  /// Somebody was told that the settings cannot be written.
+  bool settings_complained = false;
   std::vector<Climate> climates;
   OpenDialogs dialogs;
   std::vector<EditorMessage> messages;

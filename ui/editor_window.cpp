@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/editor_actions.hpp"
 #include "ui/panels/food_chain.hpp"
 #include "ui/panels/views_window.hpp"
 #include "ui/parts.hpp"
@@ -71,44 +72,64 @@ void EditorWindow::draw_views(const UiContext& ui, ImVec2 size) {
   ImGui::PopStyleVar();
 }
 
-void EditorWindow::draw(const UiContext& ui) {
-  const Theme& theme = ui.theme;
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float menu = draw_menu_bar(ui);
-  const float status = theme.px(26);
-  const float tools = theme.px(44);
-  const float tabs = theme.px(42);
-  const float clock = theme.px(78);
-  const float inspector = std::clamp(inspector_width_ * theme.scale, theme.px(260), std::max(theme.px(260), screen.x * 0.45F));
-  const float middle = screen.y - menu - status;
-  const float views = std::max(screen.x - tools - inspector, theme.px(120));
-  ui.state.pointer.over_map = false;
-  landscape_->make_pictures(ui.state);
+EditorWindow::Division EditorWindow::divided(const Theme& theme, ImVec2 screen, float menu) const {
+  Division parts;
+  parts.menu = menu;
+  parts.status = theme.px(26);
+  parts.tools = theme.px(44);
+  parts.tabs = theme.px(42);
+  parts.clock = theme.px(78);
+  parts.inspector = std::clamp(inspector_width_ * theme.scale, theme.px(260), std::max(theme.px(260), screen.x * 0.38F));
+  parts.middle = screen.y - menu - parts.status;
+  parts.views = ImVec2(std::max(screen.x - parts.tools - parts.inspector, theme.px(120)),
+                       std::max(parts.middle - parts.tabs - parts.clock, 32.0F));
+  return parts;
+}
 
-  begin_part("tools", ImVec2(0, menu), ImVec2(tools, middle), theme.window, ImVec2(theme.px(6), theme.px(6)));
+void EditorWindow::draw_middle(const UiContext& ui, const Division& parts) {
+  const Theme& theme = ui.theme;
+  const float width = parts.views.x;
+  begin_part("tools", ImVec2(0, parts.menu), ImVec2(parts.tools, parts.middle), theme.window, ImVec2(theme.px(6), theme.px(6)));
   draw_toolbar(ui);
   ImGui::End();
-  begin_part("tabs", ImVec2(tools, menu), ImVec2(views, tabs), theme.window, ImVec2(theme.px(6), theme.px(5)));
-  draw_tab_bar(ui, ImVec2(views, tabs));
+  begin_part("tabs", ImVec2(parts.tools, parts.menu), ImVec2(width, parts.tabs), theme.window, ImVec2(theme.px(6), theme.px(5)));
+  draw_tab_bar(ui, ImVec2(width, parts.tabs));
   ImGui::End();
-  const ImVec2 view_size(views, std::max(middle - tabs - clock, 32.0F));
-  begin_part("views", ImVec2(tools, menu + tabs), view_size, theme.window, ImVec2(0, 0), ImGuiWindowFlags_NoScrollWithMouse);
-  draw_views(ui, view_size);
+  begin_part("views", ImVec2(parts.tools, parts.menu + parts.tabs), parts.views, theme.window, ImVec2(0, 0),
+             ImGuiWindowFlags_NoScrollWithMouse);
+  draw_views(ui, parts.views);
   ImGui::End();
-  begin_part("clock", ImVec2(tools, menu + tabs + view_size.y), ImVec2(views, clock), theme.window,
+  begin_part("clock", ImVec2(parts.tools, parts.menu + parts.tabs + parts.views.y), ImVec2(width, parts.clock), theme.window,
              ImVec2(theme.px(10), theme.px(8)));
-  draw_clock_bar(ui, ImVec2(views, clock));
+  draw_clock_bar(ui, ImVec2(width, parts.clock));
   ImGui::End();
-  begin_part("inspector edge", ImVec2(tools + views, menu), ImVec2(theme.px(5), middle), theme.panel, ImVec2(0, 0));
-  inspector_width_ -= drag_bar("edge", ImVec2(theme.px(5), middle), theme) / theme.scale;
+}
+
+void EditorWindow::draw_right(const UiContext& ui, const Division& parts) {
+  const Theme& theme = ui.theme;
+  const float left = parts.tools + parts.views.x;
+  const float edge = theme.px(5);
+  begin_part("inspector edge", ImVec2(left, parts.menu), ImVec2(edge, parts.middle), theme.panel, ImVec2(0, 0));
+  inspector_width_ -= drag_bar("edge", ImVec2(edge, parts.middle), theme) / theme.scale;
   inspector_width_ = std::clamp(inspector_width_, 260.0F, 720.0F);
   ImGui::End();
-  begin_part("inspector", ImVec2(tools + views + theme.px(5), menu), ImVec2(inspector - theme.px(5), middle), theme.panel,
+  begin_part("inspector", ImVec2(left + edge, parts.menu), ImVec2(parts.inspector - edge, parts.middle), theme.panel,
              ImVec2(theme.px(10), theme.px(8)));
   draw_inspector(ui);
   ImGui::End();
-  begin_part("status", ImVec2(0, screen.y - status), ImVec2(screen.x, status), theme.window, ImVec2(theme.px(10), theme.px(3)));
-  draw_status_bar(ui, ImVec2(screen.x, status));
+}
+
+void EditorWindow::draw(const UiContext& ui) {
+  const Theme& theme = ui.theme;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const Division parts = divided(theme, screen, draw_menu_bar(ui));
+  ui.state.pointer.over_map = false;
+  landscape_->make_pictures(ui.state);
+  draw_middle(ui, parts);
+  draw_right(ui, parts);
+  begin_part("status", ImVec2(0, screen.y - parts.status), ImVec2(screen.x, parts.status), theme.window,
+             ImVec2(theme.px(10), theme.px(3)));
+  draw_status_bar(ui, ImVec2(screen.x, parts.status));
   ImGui::End();
 
   draw_food_chain(ui);
@@ -117,6 +138,7 @@ void EditorWindow::draw(const UiContext& ui) {
   draw_dialogs(ui);
   if (ui.state.messages.empty()) import_.draw(ui);
   handle_shortcuts(ui, landscape_->takes_letters());
+  post_edits(ui.state);
 }
 
 }  // namespace biotope

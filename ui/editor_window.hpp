@@ -17,6 +17,7 @@ class EditorWindow {
 
   /// Between ImGui::NewFrame and ImGui::Render.
   void draw(const UiContext& ui);
+  [[nodiscard]] const LandscapeCanvas& landscape() const { return *landscape_; }
   /// True while the pictures are not yet what they will be.
   [[nodiscard]] bool refining() const {
     return (mode_ != ViewMode::landscape && map_->refining()) || (mode_ != ViewMode::map && landscape_->refining()) ||
@@ -26,7 +27,18 @@ class EditorWindow {
  private:
   EditorWindow(std::unique_ptr<MapCanvas> map, std::unique_ptr<LandscapeCanvas> landscape)
       : map_(std::move(map)), landscape_(std::move(landscape)) {}
+  /// How the window is divided, pixels.
+  struct Division {
+    float menu = 0, status = 0, tools = 0, tabs = 0, clock = 0, inspector = 0;
+    float middle = 0;  ///< height between menu and status
+    ImVec2 views;
+  };
+  [[nodiscard]] Division divided(const Theme& theme, ImVec2 screen, float menu) const;
   void draw_views(const UiContext& ui, ImVec2 size);
+  /// Tools, tabs, views and clock.
+  void draw_middle(const UiContext& ui, const Division& parts);
+  /// The inspector and the edge that it is widened by.
+  void draw_right(const UiContext& ui, const Division& parts);
 
   std::unique_ptr<MapCanvas> map_;
   std::unique_ptr<LandscapeCanvas> landscape_;

@@ -16,10 +16,7 @@ namespace {
 
 constexpr double herd_distance = 38;  // m from which a herd is looked at
 
-WalkingGround walking_ground(const EditorState& state) {
-  const bool known = state.shown && state.shown->document.terrain == state.document.terrain;
-  return {ground_of(state), known ? state.shown->hydrology.get() : nullptr};
-}
+WalkingGround walking_ground(const EditorState& state) { return {ground_of(state), water_of(state)}; }
 
 bool visible(const EditorState& state, int species) {
   const auto index = std::size_t(species);
@@ -35,7 +32,8 @@ std::optional<glm::dvec3> plan_place(const EditorState& state, const DailyPlan& 
 /// A view of a place that trees leave free: from farther away where that can be, from higher up where it must be.
 Camera clear_view(const EditorState& state, const glm::dvec3& place, double distance) {
   constexpr double clear_enough = 0.75;
-  const PlantsAround plants(state.view.plants ? state.shown : nullptr, place, distance + 12, state.view.visible_species);
+  const PlantsAround plants(state.view.plants ? state.exploring.plants : PlantPlacement(), place, distance + 12,
+                            state.view.visible_species);
   const auto clearness = [&](const glm::dvec3& eye) {
     int free = 0;
     int looks = 0;
@@ -76,6 +74,11 @@ void land(EditorState& state, glm::dvec2 place) {
 const Terrain& ground_of(const EditorState& state) {
   const bool known = state.shown && state.shown->document.terrain == state.document.terrain;
   return known ? state.shown->terrain() : *state.document.terrain;
+}
+
+const Hydrology* water_of(const EditorState& state) {
+  const bool known = state.shown && state.shown->document.terrain == state.document.terrain;
+  return known ? state.shown->hydrology.get() : nullptr;
 }
 
 void fly_to(EditorState& state, const Camera& camera) {
@@ -213,8 +216,13 @@ bool advance_exploring(EditorState& state, double seconds) {
   if (!exploring.arm) return false;
   const glm::dvec3 before = state.view.camera.position;
   state.view.camera.position = *herd + exploring.arm->offset;
+  if (exploring.member >= 0 && state.view.plants) {
+    const glm::dvec3 breast = *herd + glm::dvec3(0, 0, 1);
+    const double left_out = 1 - exploring.sight.share(exploring.plants, breast, state.view.camera.position, seconds);
+    state.view.camera.position += left_out * (breast - state.view.camera.position);
+  }
   state.view.camera.pitch = exploring.arm->pitch;
-  const Camera kept = kept_over_ground(state.view.camera, ground_of(state));
+  const Camera kept = kept_over_ground(state.view.camera, ground_of(state), 1.5, water_of(state));
   if (kept.position.z > state.view.camera.position.z + 0.01) {
     // The ground lifts the camera over a hill: it still looks where the herd is.
     const glm::dvec3 arm = *herd + glm::dvec3(0, 0, 1) - kept.position;
@@ -227,6 +235,7 @@ bool advance_exploring(EditorState& state, double seconds) {
 void keep_arm(EditorState& state) {
   if (!state.exploring.following || state.exploring.flight) return;
   const Camera& camera = state.view.camera;
+  state.exploring.sight.reset();
   if (const auto& herd = state.exploring.followed) state.exploring.arm = {camera.position - *herd, camera.pitch};
 }
 

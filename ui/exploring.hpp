@@ -6,7 +6,9 @@
 #include "core/base/path_point.hpp"
 #include "core/terrain/terrain.hpp"
 #include "render/camera.hpp"
+#include "render/plant_placement.hpp"
 #include "ui/camera_flight.hpp"
+#include "ui/follow_arm.hpp"
 
 namespace biotope {
 
@@ -28,17 +30,25 @@ struct Exploring {
     float pitch = 0;
   };
   std::optional<Arm> arm;
+  /// How much of it is used, so that no tree stands between.
+  FollowArm sight;
   std::optional<CameraFlight> flight;
   /// The ford or exit that was gone to last, by its number in the list of all.
   int last_crossing = -1;
   /// Width over height of the 3D view.
   float aspect = 1.5F;
+  /// Where the plants that are drawn stand; it has no snapshot while none are.
+  PlantPlacement plants;
   /// Cell under the pointer in the 3D view, for the map's cursor.
   std::optional<PathPoint> pointer;
+  /// The brush under the pointer of the 3D view is so wide that its ring lies outside the picture.
+  bool ring_out_of_sight = false;
 };
 
 /// Ground under the 3D view as it is drawn: what is shown where it is of this landscape, else the document's.
 [[nodiscard]] const Terrain& ground_of(const EditorState& state);
+/// The water of that ground as far as it is known; may be null.
+[[nodiscard]] const Hydrology* water_of(const EditorState& state);
 
 /// Flies the camera to a view; a jump on foot ends in walking on from there.
 void fly_to(EditorState& state, const Camera& camera);

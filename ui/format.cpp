@@ -84,10 +84,13 @@ std::string format_clock(double hour) {
 }
 
 std::string format_bytes(std::size_t bytes) {
-  if (bytes < 1000) return std::to_string(bytes) + " B";
-  if (bytes < 1'000'000) return format_number(double(bytes) / 1e3) + " kB";
-  if (bytes < 1'000'000'000) return format_number(double(bytes) / 1e6) + " MB";
-  return format_number(double(bytes) / 1e9) + " GB";
+  constexpr double step = 1024;
+  if (bytes < 1024) return std::to_string(bytes) + " B";
+  double amount = double(bytes) / step;
+  std::size_t unit = 0;
+  constexpr std::array<const char*, 4> units{"KiB", "MiB", "GiB", "TiB"};
+  for (; amount >= step && unit + 1 < units.size(); ++unit) amount /= step;
+  return format_number(amount) + " " + units[unit];
 }
 
 std::string format_count(double count) {

@@ -12,12 +12,6 @@ namespace {
 
 constexpr float dead_middle = 0.15F;
 
-/// True in the frame in which a button goes down.
-bool pressed_now(bool down, bool& held) {
-  const bool before = std::exchange(held, down);
-  return down && !before;
-}
-
 }  // namespace
 
 double stick_value(float raw) {
@@ -25,27 +19,38 @@ double stick_value(float raw) {
   return double(std::copysign(size * size, raw));
 }
 
+GamepadSticks sticks_of(const GamepadButtons& now, const GamepadButtons& before) {
+  const auto axis = [&](int number) { return stick_value(now.axes[std::size_t(number)]); };
+  // A trigger rests at -1.
+  const auto trigger = [&](int number) { return stick_value(0.5F * (now.axes[std::size_t(number)] + 1)); };
+  const auto down = [&](int button) { return now.down[std::size_t(button)]; };
+  const auto pressed = [&](int button) { return down(button) && !before.down[std::size_t(button)]; };
+  GamepadSticks sticks;
+  sticks.move_right = axis(GLFW_GAMEPAD_AXIS_LEFT_X);
+  sticks.move_ahead = -axis(GLFW_GAMEPAD_AXIS_LEFT_Y);
+  sticks.look_right = axis(GLFW_GAMEPAD_AXIS_RIGHT_X);
+  sticks.look_up = -axis(GLFW_GAMEPAD_AXIS_RIGHT_Y);
+  sticks.rise = trigger(GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER) - trigger(GLFW_GAMEPAD_AXIS_LEFT_TRIGGER);
+  sticks.fast = down(GLFW_GAMEPAD_BUTTON_RIGHT_BUMPER) || down(GLFW_GAMEPAD_BUTTON_LEFT_THUMB);
+  sticks.toggles_walking = pressed(GLFW_GAMEPAD_BUTTON_A);
+  sticks.follows_herd = pressed(GLFW_GAMEPAD_BUTTON_X);
+  sticks.bookmarks = pressed(GLFW_GAMEPAD_BUTTON_Y);
+  return sticks;
+}
+
 GamepadSticks Gamepad::read() {
   present_ = false;
-  for (int number = GLFW_JOYSTICK_1; number <= GLFW_JOYSTICK_LAST && !present_; ++number) {
+  for (int number = GLFW_JOYSTICK_1; number <= GLFW_JOYSTICK_LAST; ++number) {
     GLFWgamepadstate pad;
     if (glfwJoystickIsGamepad(number) != GLFW_TRUE || glfwGetGamepadState(number, &pad) != GLFW_TRUE) continue;
     present_ = true;
-    const auto down = [&](int button) { return pad.buttons[button] == GLFW_PRESS; };
-    // A trigger rests at -1.
-    const auto trigger = [&](int axis) { return stick_value(0.5F * (pad.axes[axis] + 1)); };
-    GamepadSticks sticks;
-    sticks.move_right = stick_value(pad.axes[GLFW_GAMEPAD_AXIS_LEFT_X]);
-    sticks.move_ahead = -stick_value(pad.axes[GLFW_GAMEPAD_AXIS_LEFT_Y]);
-    sticks.look_right = stick_value(pad.axes[GLFW_GAMEPAD_AXIS_RIGHT_X]);
-    sticks.look_up = -stick_value(pad.axes[GLFW_GAMEPAD_AXIS_RIGHT_Y]);
-    sticks.rise = trigger(GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER) - trigger(GLFW_GAMEPAD_AXIS_LEFT_TRIGGER);
-    sticks.fast = down(GLFW_GAMEPAD_BUTTON_RIGHT_BUMPER) || down(GLFW_GAMEPAD_BUTTON_LEFT_THUMB);
-    sticks.toggles_walking = pressed_now(down(GLFW_GAMEPAD_BUTTON_A), walking_held_);
-    sticks.follows_herd = pressed_now(down(GLFW_GAMEPAD_BUTTON_X), herd_held_);
-    sticks.bookmarks = pressed_now(down(GLFW_GAMEPAD_BUTTON_Y), bookmark_held_);
-    return sticks;
+    GamepadButtons now;
+    std::transform(std::begin(pad.buttons), std::end(pad.buttons), now.down.begin(),
+                   [](unsigned char button) { return button == GLFW_PRESS; });
+    std::copy(std::begin(pad.axes), std::end(pad.axes), now.axes.begin());
+    return sticks_of(now, std::exchange(before_, now));
   }
+  before_ = {};
   return {};
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 namespace biotope {
 
 /// What a gamepad says, -1..1 each (triggers 0..1); all nought when there is none.
@@ -23,7 +25,16 @@ struct GamepadSticks {
 /// A stick's value without the middle where it never quite rests, growing gently from there.
 [[nodiscard]] double stick_value(float raw);
 
-/// The first gamepad there is; pressed buttons count once.
+/// Buttons and axes of a gamepad, numbered as GLFW does: sticks -1..1 (right and down are more), triggers -1 (at rest) .. 1.
+struct GamepadButtons {
+  std::array<bool, 15> down{};
+  std::array<float, 6> axes{0, 0, 0, 0, -1, -1};
+};
+
+/// What a gamepad says now; buttons that do something once do it in the frame in which they went down.
+[[nodiscard]] GamepadSticks sticks_of(const GamepadButtons& now, const GamepadButtons& before);
+
+/// The first gamepad there is.
 class Gamepad {
  public:
   [[nodiscard]] GamepadSticks read();
@@ -31,9 +42,7 @@ class Gamepad {
 
  private:
   bool present_ = false;
-  bool walking_held_ = false;
-  bool herd_held_ = false;
-  bool bookmark_held_ = false;
+  GamepadButtons before_;
 };
 
 }  // namespace biotope

@@ -204,7 +204,10 @@ void drag_day(EditorState& state, PathPoint at) {
   HerdDay& own = state.herd_day;
   auto day = chosen_day(state);
   if (!day || own.held_stop < 0 || std::size_t(own.held_stop) >= day->stops.size()) return;
-  day->stops[std::size_t(own.held_stop)].at = at;
+  // A stop stays on the map, wherever the pointer goes.
+  const Grid<float>& height = state.document.terrain->height;
+  day->stops[std::size_t(own.held_stop)].at = {std::clamp(at.x, 0.0F, float(height.width() - 1)),
+                                               std::clamp(at.y, 0.0F, float(height.height() - 1))};
   own.preview = std::move(day);
 }
 

@@ -47,7 +47,8 @@ void ImportDialog::look(const std::filesystem::path& file) {
   preview_.reset();
   picture_.reset();
   problem_.clear();
-  looking_.start("Looking at the file", [file, options = chosen(false)](const TaskContext&) { return preview_dem(file, options); });
+  looking_.start("Looking at the file",
+                 [file, options = chosen(false)](const TaskContext&) { return preview_dem(file, options); });
 }
 
 void ImportDialog::take_preview() {
@@ -220,9 +221,7 @@ void ImportDialog::draw(const UiContext& ui) {
   draw_fields(ui);
   ImGui::EndChild();
   if (!problem_.empty()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.loss);
-    ImGui::TextWrapped("%s", problem_.c_str());
-    ImGui::PopStyleColor();
+    wrapped(ui.theme.loss, problem_);
   } else if (needs_cell_size()) {
     ImGui::TextColored(ui.theme.attention, "The file does not say how large a cell is. Give the cell size in metres.");
   } else {

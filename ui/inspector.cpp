@@ -1,6 +1,9 @@
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "ui/editor_actions.hpp"
+#include "ui/inspector_layout.hpp"
 #include "ui/panels/herd_panel.hpp"
 #include "ui/panels/layers_panel.hpp"
 #include "ui/panels/panels.hpp"
@@ -39,53 +42,101 @@ void draw_tab_panel(const UiContext& ui) {
   }
 }
 
+constexpr std::array<const char*, inspector_cards> card_names{"Why?", "Herd", "Brush"};
+
+/// Whether a card is about something else than in the frame before.
+std::array<bool, inspector_cards> renewed_cards(EditorState& state) {
+  InspectorSubjects& before = state.inspector_subjects;
+  InspectorSubjects now;
+  if (state.question && !state.view.why_follows) now.asked = {state.question->x, state.question->y};
+  if (state.herd_day.herd) now.herd = {state.herd_day.herd->species, state.herd_day.herd->home, state.herd_day.herd->number};
+  now.tool = state.tool;
+  const std::array<bool, inspector_cards> renewed{now.asked != before.asked, now.herd != before.herd, now.tool != before.tool};
+  before = std::move(now);
+  return renewed;
+}
+
+void draw_card(const UiContext& ui, InspectorCard card) {
+  switch (card) {
+    case InspectorCard::why:
+      draw_why_panel(ui);
+      break;
+    case InspectorCard::herd:
+      draw_herd_panel(ui);
+      break;
+    case InspectorCard::brush:
+      draw_brush_panel(ui);
+      break;
+  }
+}
+
+/// Of a part that Dear ImGui puts its spacing after.
+float inner_height(float height) { return std::max(height - ImGui::GetStyle().ItemSpacing.y, 1.0F); }
+
+/// A line over the whole width.
+void draw_edge(const Theme& theme) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddLine(ImVec2(at.x - theme.px(10), at.y),
+                                      ImVec2(at.x + ImGui::GetContentRegionAvail().x + theme.px(10), at.y),
+                                      colour_u32(theme.line));
+}
+
+/// The names of the cards that are there, to bring one to the front.
+void draw_card_tabs(const UiContext& ui, InspectorState& inspector, float height) {
+  const Theme& theme = ui.theme;
+  bool first = true;
+  for (std::size_t i = 0; i < inspector.present.size(); ++i) {
+    if (!inspector.present[i]) continue;
+    if (!first) ImGui::SameLine(0, theme.px(2));
+    first = false;
+    const bool front = inspector.front == InspectorCard(i);
+    ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
+    ImGui::PushStyleColor(ImGuiCol_Text, front ? theme.text : theme.muted);
+    if (ImGui::Button(card_names[i], ImVec2(0, inner_height(height) - theme.px(1)))) inspector.front = InspectorCard(i);
+    ImGui::PopStyleColor(2);
+    if (!front) continue;
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(low.x + theme.px(4), high.y),
+                                              ImVec2(high.x - theme.px(4), high.y + theme.px(2)), colour_u32(theme.accent), 1);
+  }
+}
+
+void draw_cards(const UiContext& ui, InspectorState& inspector, const InspectorLayout& layout) {
+  for (std::size_t i = 0; i < inspector.present.size(); ++i) {
+    if (!inspector.present[i] || layout.card[i] <= 0) continue;
+    if (!layout.tabs) draw_edge(ui.theme);
+    ImGui::BeginChild(card_names[i], ImVec2(0, inner_height(layout.card[i])));
+    draw_card(ui, InspectorCard(i));
+    inspector.content[i] = ImGui::GetCursorPosY() + ImGui::GetStyle().ItemSpacing.y + ui.theme.px(2);
+    ImGui::EndChild();
+  }
+}
+
 }  // namespace
 
 void draw_inspector(const UiContext& ui) {
-  const EditorState& state = ui.state;
-  const bool brush = state.has_document && (is_painting(state.tool) || is_selecting(state.tool));
-  const bool why = state.has_document && state.question.has_value();
-  const bool herd = state.has_document && state.herd_day.herd.has_value();
-  const float available = ImGui::GetContentRegionAvail().y;
-  const bool layers = state.has_document && state.view.tab != Tab::project;
-  const float layers_room = layers ? layers_height(ui) : 0;
-  // The brush takes what it needs, as it was drawn last, and leaves the list above room for a few lines.
-  const float brush_height = !brush ? 0 : std::min(state.paint.brush_height + ui.theme.px(10), (available - layers_room) * 0.62F);
-  // Together they leave the list room for a few lines; each is scrolled where it is short.
-  const float most = why && herd ? 0.34F : 0.42F;
-  const float why_height = why ? std::min(ui.theme.px(230), available * most * (brush ? 0.5F : 1)) : 0;
-  const float herd_height = herd ? std::min(ui.theme.px(440), available * (why ? 0.4F : 0.56F) * (brush ? 0.5F : 1)) : 0;
-  const float list_height = std::max(available - brush_height - why_height - herd_height - layers_room, ui.theme.px(80));
-  ImGui::BeginChild("tab panel", ImVec2(0, list_height));
+  EditorState& state = ui.state;
+  InspectorState& inspector = state.inspector;
+  const bool open = state.has_document;
+  follow_cards(inspector,
+               {open && state.question.has_value(), open && state.herd_day.herd.has_value(),
+                open && (is_painting(state.tool) || is_selecting(state.tool))},
+               renewed_cards(state));
+  const bool layers = open && state.view.tab != Tab::project;
+  const float room = ImGui::GetContentRegionAvail().y - (layers ? layers_height(ui) : 0);
+  const float tab_height = ui.theme.px(30);
+  const InspectorLayout layout = lay_out_inspector(inspector, room, ui.theme.px(235), tab_height);
+  ImGui::BeginChild("tab panel", ImVec2(0, inner_height(layout.list)));
   draw_tab_panel(ui);
   ImGui::EndChild();
-  const auto line = [&] {
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::GetWindowDrawList()->AddLine(ImVec2(at.x - ui.theme.px(10), at.y),
-                                        ImVec2(at.x + ImGui::GetContentRegionAvail().x + ui.theme.px(10), at.y),
-                                        colour_u32(ui.theme.line));
-  };
-  if (why) {
-    line();
-    ImGui::BeginChild("why", ImVec2(0, why_height - ui.theme.px(6)));
-    draw_why_panel(ui);
-    ImGui::EndChild();
+  if (layout.tabs) {
+    draw_edge(ui.theme);
+    draw_card_tabs(ui, inspector, tab_height);
   }
-  if (herd) {
-    line();
-    ImGui::BeginChild("herd", ImVec2(0, herd_height - ui.theme.px(6)));
-    draw_herd_panel(ui);
-    ImGui::EndChild();
-  }
-  if (brush) {
-    line();
-    ImGui::BeginChild("brush", ImVec2(0, std::max(brush_height - ui.theme.px(6), ui.theme.px(40))));
-    draw_brush_panel(ui);
-    ui.state.paint.brush_height = ImGui::GetCursorPosY();
-    ImGui::EndChild();
-  }
+  draw_cards(ui, inspector, layout);
   if (layers) {
-    line();
+    draw_edge(ui.theme);
     draw_layers_panel(ui, true);
   }
 }

@@ -7,7 +7,10 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/brush_marks.hpp"
+#include "ui/brush_ring.hpp"
 #include "ui/camera_motion.hpp"
+#include "ui/camera_path.hpp"
 #include "ui/canvas_menu.hpp"
 #include "ui/editor_actions.hpp"
 #include "ui/exploring.hpp"
@@ -27,6 +30,7 @@ constexpr double coarsest = 0.4;             // share of the resolution below wh
 constexpr double longest_seconds = 36000;    // after which what moves begins again: waves need exact times
 constexpr std::size_t pictures_to_measure = 3;
 constexpr double slice_seconds = 0.02;  // of a frame for pictures into files
+constexpr double longest_wait = 0.4;    // s for which frames follow each other while an edit is being answered
 constexpr double rest_seconds = 0.25;   // after which the picture is drawn sharp
 
 bool same_camera(const Camera& a, const Camera& b) {
@@ -44,11 +48,19 @@ bool same_options(const LandscapeOptions& a, const LandscapeOptions& b) {
 Result<std::unique_ptr<LandscapeCanvas>> LandscapeCanvas::create() {
   auto renderer = LandscapeRenderer::create();
   if (!renderer) return tl::unexpected(renderer.error());
-  return std::unique_ptr<LandscapeCanvas>(new LandscapeCanvas(std::move(*renderer)));
+  auto overlay = LandscapeOverlay::create();
+  if (!overlay) return tl::unexpected(overlay.error());
+  auto drape = LandscapeDrape::create();
+  if (!drape) return tl::unexpected(drape.error());
+  return std::unique_ptr<LandscapeCanvas>(new LandscapeCanvas(std::move(*renderer), std::move(*overlay), std::move(*drape)));
 }
 
-LandscapeCanvas::LandscapeCanvas(std::unique_ptr<LandscapeRenderer> renderer)
-    : renderer_(std::move(renderer)), target_(std::make_unique<RenderTarget>(16, 16)), software_(drawn_by_processor()) {
+LandscapeCanvas::LandscapeCanvas(std::unique_ptr<LandscapeRenderer> renderer, LandscapeOverlay overlay, LandscapeDrape drape)
+    : renderer_(std::move(renderer)),
+      overlay_(std::move(overlay)),
+      drape_(std::move(drape)),
+      target_(std::make_unique<RenderTarget>(16, 16)),
+      software_(drawn_by_processor()) {
   if (software_) resolution_ = 0.5;
 }
 
@@ -91,17 +103,12 @@ void LandscapeCanvas::follow_quality(EditorState& state) {
     return;
   }
   // What has been measured at low holds for the rest of the session.
-  measuring_ = !software_ && measured_seconds_.size() < pictures_to_measure;
+  measuring_ = measured_seconds_.size() < pictures_to_measure;
   state.view.quality = quality_factor(measuring_ ? QualityLevel::low : measured_level(measured_seconds_, software_));
 }
 
-void LandscapeCanvas::draw_picture(const UiContext& ui, int width, int height) {
-  EditorState& state = ui.state;
-  // A new ground is shown at once and what lives on it when all of it is known: a picture of each snapshot in between would only
-  // keep the processor from the next.
-  const bool takes =
-      state.shown->complete || !drawn_.snapshot || drawn_.snapshot->document.terrain != state.shown->document.terrain;
-  Picture wanted{state.view.camera, {}, takes ? state.shown : drawn_.snapshot, width, height};
+LandscapeCanvas::Picture LandscapeCanvas::wanted_picture(const EditorState& state, int width, int height) const {
+  Picture wanted{state.view.camera, {}, state.pictured ? state.pictured : state.shown, width, height};
   wanted.options.hour = state.clock.hour;
   wanted.options.month = state.clock.month;
   wanted.options.plants = state.view.plants;
@@ -113,47 +120,67 @@ void LandscapeCanvas::draw_picture(const UiContext& ui, int width, int height) {
   wanted.options.weather = state.settings.weather;
   wanted.options.seconds = state.view.seconds;
   // The ring follows the pointer over the map too.
-  if (is_brush(state.tool) && state.pointer.over_map) {
-    wanted.options.brush = glm::vec3(state.pointer.x, state.pointer.y, state.brush.radius);
-  }
+  wanted.options.brush = ring_in_landscape(state);
+  return wanted;
+}
+
+std::optional<double> LandscapeCanvas::resolution_now(const EditorState& state, const Picture& wanted, bool news) {
   const double now = ImGui::GetTime();
-  renderer_->set_snapshot(wanted.snapshot);
-  const bool news = renderer_->bring_in(wanted.options);
-  const bool same = has_picture_ && !news && same_camera(wanted.camera, drawn_.camera) &&
-                    same_options(wanted.options, drawn_.options) && wanted.snapshot == drawn_.snapshot && width == drawn_.width &&
-                    height == drawn_.height;
+  const bool same_size = has_picture_ && wanted.width == drawn_.width && wanted.height == drawn_.height;
+  const bool same = same_size && !news && same_camera(wanted.camera, drawn_.camera) &&
+                    same_options(wanted.options, drawn_.options) && wanted.snapshot == drawn_.snapshot;
   if (!same) last_change_ = now;
   // Plants that are still being built come in quickly on a coarse picture; the sharp one follows.
   const bool complete = has_picture_ && renderer_->complete();
   const bool resting = now - last_change_ > rest_seconds && complete;
   const double resolution = software_ && !resting ? resolution_ : 1.0;
   refining_ = (software_ && !resting && resolution < 1) || !complete;
-  const bool measures = measuring_ && complete && state.shown->complete;
-  if (same && drawn_resolution_ >= resolution && !measures) return;
+  measures_now_ = measuring_ && complete && state.shown->complete;
+  if (same && drawn_resolution_ >= resolution && !measures_now_) return std::nullopt;
   // A picture that takes long even when it is coarse is drawn less often, so that the rest of the window keeps its pace.
-  const bool moves_slowly = software_ && has_picture_ && width == drawn_.width && height == drawn_.height && !resting;
+  const bool moves_slowly = software_ && same_size && !resting;
   if (moves_slowly && now - drawn_at_ < 1.5 * drawn_seconds_) {
     refining_ = true;
-    return;
+    return std::nullopt;
   }
-  const int target_width = std::max(int(width * resolution), 16);
-  const int target_height = std::max(int(height * resolution), 16);
-  target_->resize(target_width, target_height);
-  const auto begin = std::chrono::steady_clock::now();
-  target_->bind();
-  renderer_->draw(wanted.camera, wanted.options, target_width, target_height);
-  if (software_ || measures) glFinish();
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  if (measures) measured_seconds_.push_back(seconds);
+  return resolution;
+}
+
+void LandscapeCanvas::learn_from(double seconds, double resolution) {
+  // A coarse picture counts as a full one of as many pixels.
+  if (measures_now_) measured_seconds_.push_back(seconds / (resolution * resolution));
   refining_ = refining_ || measuring_;
   if (software_) {
     // What a full picture costs tells how coarse a moving one must be; half-way steps keep it from flickering.
     const double fitting = resolution * std::sqrt(wanted_seconds / std::max(seconds, 1e-4));
     resolution_ = std::clamp(0.5 * resolution_ + 0.5 * fitting, coarsest, 1.0);
   }
-  drawn_seconds_ = software_ || measures ? seconds : 0;
+  drawn_seconds_ = software_ || measures_now_ ? seconds : 0;
+}
+
+void LandscapeCanvas::await_answer(const EditorState& state, const MapsSnapshot& wanted) {
+  const double now = ImGui::GetTime();
+  if (std::exchange(awaited_, state.posted_revision) != state.posted_revision) awaited_since_ = now;
+  awaiting_ = wanted.document_revision < awaited_ && now - awaited_since_ < longest_wait;
+}
+
+void LandscapeCanvas::draw_picture(const EditorState& state, int width, int height) {
+  Picture wanted = wanted_picture(state, width, height);
+  await_answer(state, *wanted.snapshot);
+  renderer_->set_snapshot(wanted.snapshot);
+  const bool news = renderer_->bring_in(wanted.options);
+  const auto resolution = resolution_now(state, wanted, news);
+  if (!resolution) return;
+  const int target_width = std::max(int(width * *resolution), 16);
+  const int target_height = std::max(int(height * *resolution), 16);
+  target_->resize(target_width, target_height);
+  const auto begin = std::chrono::steady_clock::now();
+  target_->bind();
+  renderer_->draw(wanted.camera, wanted.options, target_width, target_height);
+  if (software_ || measures_now_) glFinish();
+  learn_from(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), *resolution);
   drawn_ = std::move(wanted);
-  drawn_resolution_ = resolution;
+  drawn_resolution_ = *resolution;
   drawn_at_ = ImGui::GetTime();
   has_picture_ = true;
 }
@@ -182,26 +209,40 @@ float LandscapeCanvas::reach_at_pointer(const UiContext& ui, PixelPoint canvas) 
   return float(metres_a_pixel * double(ui.theme.px(9)) / ui.state.document.terrain->cell_size);
 }
 
-void LandscapeCanvas::draw_things(const UiContext& ui, ImVec2 origin, PixelPoint canvas) {
+void LandscapeCanvas::draw_camera_path(const EditorState& state) {
+  const CameraPath& path = state.views.path;
+  if (!state.dialogs.views || path.keys.size() < 2 || state.pictures.playing >= 0) return;
+  const int pieces = 12 * int(path.keys.size());
+  std::vector<glm::dvec3> way;
+  for (int i = 0; i <= pieces; ++i) way.push_back(camera_on_path(path, path_seconds(path) * i / pieces).position);
+  overlay_.add_way(way, {IM_COL32(255, 255, 255, 230), 1.8F, IM_COL32(0, 0, 0, 150), 1});
+}
+
+void LandscapeCanvas::draw_things(const UiContext& ui, ImVec2 origin, ImVec2 size) {
+  if (!has_picture_) return;
   const EditorState& state = ui.state;
   const Terrain& ground = state.shown->terrain();
-  const ScreenPlace project = [&](PathPoint cell) -> std::optional<ImVec2> {
-    const auto at = pixel_of(state.view.camera, canvas, place_of(ground, cell));
-    if (!at) return std::nullopt;
-    return ImVec2(origin.x + float(at->x), origin.y + float(at->y));
-  };
-  outline_.draw(ui, project);
-  if (state.gesture) {
-    const float step = float(std::max(ground.height.width(), ground.height.height())) / 256;
-    draw_gesture(*ImGui::GetWindowDrawList(), ui.theme, *state.gesture, project, step);
-  }
+  const glm::vec2 planes = renderer_->depth_planes();
+  // As the camera saw them that took the picture: on a slow machine it may be an earlier one.
+  const LandscapeOverlay::Picture picture{
+      drawn_.camera, {target_->depth_texture(), planes.x, planes.y}, origin, size, ui.theme.scale};
+  drape_.draw(ui, *ImGui::GetWindowDrawList(), picture, target_->texture());
+  overlay_.begin(*ImGui::GetWindowDrawList(), picture);
+  const ViewPen pen = overlay_.pen(ground);
+  outline_.draw(ui, pen);
+  if (state.gesture) draw_gesture(*ImGui::GetWindowDrawList(), ui.theme, *state.gesture, pen);
+  if (under_pointer_) draw_brush_marks(*ImGui::GetWindowDrawList(), ui.theme, state, pen, cell_of(ground, *under_pointer_));
+  // The ground's own ring is hidden by plants; this one shines through them.
+  if (const auto ring = ring_in_landscape(state))
+    pen.line(ring_around({ring->x, ring->y}, ring->z), {IM_COL32(255, 255, 255, 200), 1.2F, IM_COL32(0, 0, 0, 90), 0.6F});
+  draw_camera_path(state);
   // Other lines over the picture are only wanted where one works on them.
   const bool works =
       state.view.tab == Tab::terrain || state.view.tab == Tab::trails || state.placing.busy() ||
       (state.herd_day.herd && !state.exploring.following && !state.exploring.walking && state.pictures.playing < 0);
   if (!works) return;
   const auto pointer = under_pointer_ ? std::optional(cell_of(ground, *under_pointer_)) : std::nullopt;
-  draw_placed(ui, project, 0, pointer);
+  draw_placed(ui, pen, pointer);
 }
 
 void LandscapeCanvas::handle_tool(const UiContext& ui, PixelPoint canvas, bool hovered) {
@@ -214,15 +255,16 @@ void LandscapeCanvas::handle_tool(const UiContext& ui, PixelPoint canvas, bool h
     return;
   }
   const auto place = under_pointer_ ? std::optional(cell_of(ground_of(state), *under_pointer_)) : std::nullopt;
-  if (handle_placing(ui, place, reach_at_pointer(ui, canvas), hovered)) return;
+  if (handle_placing(ui, PlacingView::landscape, place, reach_at_pointer(ui, canvas), hovered)) return;
   const float still = 16 * io.MouseDragThreshold;
   const bool clicked = hovered && pressed_here && released && io.MouseDragMaxDistanceSqr[0] < still;
   if (state.tool == Tool::select && clicked) {
     const float herd_reach = std::max(reach_at_pointer(ui, canvas) * 1.4F, float(20 / ground_of(state).cell_size));
     const PixelPoint pixel{double(io.MousePos.x - origin_.x), double(io.MousePos.y - origin_.y)};
     const auto animals = draws_shown_plans(state) ? renderer_->animals() : std::span<const AnimalAt>();
-    click_landscape(state,
-                    {ray_through(state.view.camera, canvas, pixel), under_pointer_, herd_reach, animals, &renderer_->plants()});
+    const Camera& camera = has_picture_ ? drawn_.camera : state.view.camera;
+    click_landscape(
+        state, {camera.position, ray_through(camera, canvas, pixel), under_pointer_, herd_reach, animals, &renderer_->plants()});
     return;
   }
   if (!hovered || !under_pointer_) return;
@@ -253,6 +295,9 @@ void LandscapeCanvas::handle_mouse(const UiContext& ui, PixelPoint canvas, Pixel
     const PathPoint cell = cell_of(terrain, *under_pointer_);
     state.pointer = {true, cell.x, cell.y};
     state.exploring.pointer = cell;
+    state.exploring.ring_out_of_sight =
+        is_brush(state.tool) &&
+        !ring_in_picture(terrain, state.view.camera, {float(canvas.x), float(canvas.y)}, cell, state.brush.radius);
   }
   takes_letters_ = hovered || active;
   gestures_.handle(ui, {canvas, pixel, under_pointer_, hovered, active});
@@ -280,55 +325,31 @@ void LandscapeCanvas::make_pictures(EditorState& state) {
   pictures.stage = exporter_.stage();
 }
 
-void LandscapeCanvas::draw(const UiContext& ui, ImVec2 size) {
-  EditorState& state = ui.state;
-  const int width = std::max(int(size.x), 16);
-  const int height = std::max(int(size.y), 16);
-  const PixelPoint canvas{double(width), double(height)};
-  takes_letters_ = false;
-  place_camera(state);
-  const ImVec2 origin = ImGui::GetCursorScreenPos();
-  origin_ = origin;
-  state.exploring.aspect = float(width) / float(height);
-  mini_map_.handle(ui, origin, size);
-  ImGui::InvisibleButton(
-      "landscape canvas", ImVec2(float(width), float(height)),
-      ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
-  if (ImGui::IsItemActivated()) pressed_here_ = true;
-  const bool hovered = ImGui::IsItemHovered();
-  const bool active = ImGui::IsItemActive();
-  const ImVec2 end(origin.x + float(width), origin.y + float(height));
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (!state.document.terrain || !state.shown) {
-    list.AddRectFilled(origin, end, colour_u32(ui.theme.window));
-    return;
-  }
+void LandscapeCanvas::advance(EditorState& state) {
   state.view.software = software_;
   follow_quality(state);
   const auto passed = double(ImGui::GetIO().DeltaTime);
+  state.exploring.plants = state.view.plants ? renderer_->plants() : PlantPlacement();
   state.exploring.followed = followed_place(state);
   moving_ = advance_path(state, passed) || advance_exploring(state, passed);
-  if (moves_by_itself(state)) {
-    state.view.seconds = std::fmod(state.view.seconds + std::min(passed, 0.25), longest_seconds);
-    moving_ = true;
-  }
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  handle_mouse(ui, canvas, {mouse.x - origin.x, mouse.y - origin.y}, hovered, active);
-  draw_picture(ui, width, height);
-  list.PushClipRect(origin, end, true);
-  const auto texture = reinterpret_cast<ImTextureID>(std::uintptr_t(target_->texture()));
-  list.AddImage(texture, origin, end, ImVec2(0, 1), ImVec2(1, 0));
-  draw_things(ui, origin, canvas);
-  draw_north_arrow(ui.theme, origin, size, state.view.camera.heading);
+  if (!moves_by_itself(state)) return;
+  state.view.seconds = std::fmod(state.view.seconds + std::min(passed, 0.25), longest_seconds);
+  moving_ = true;
+}
+
+void LandscapeCanvas::draw_over(const UiContext& ui, ImVec2 origin, ImVec2 size) {
+  draw_things(ui, origin, size);
+  draw_north_arrow(ui.theme, origin, size, ui.state.view.camera.heading);
   mini_map_.draw(ui);
   draw_mode_badge(ui, origin, size);
-  if (state.view.statistics) {
-    const LandscapeStatistics& drawn = renderer_->statistics();
-    draw_figures(ui, ImVec2(origin.x + ui.theme.px(10), origin.y + ui.theme.px(10)),
-                 {drawn.plants, drawn.animals, drawn.triangles, drawn.draw_calls, drawn.instance_bytes, target_->width(),
-                  target_->height(), drawn_seconds_});
-  }
-  list.PopClipRect();
+  if (!ui.state.view.statistics) return;
+  const LandscapeStatistics& drawn = renderer_->statistics();
+  draw_figures(ui, ImVec2(origin.x + ui.theme.px(10), origin.y + ui.theme.px(10)),
+               {drawn.plants, drawn.animals, drawn.triangles, drawn.draw_calls, drawn.instance_bytes, drawn.most_instance_bytes,
+                target_->width(), target_->height(), drawn_seconds_});
+}
+
+void LandscapeCanvas::draw_menu(const UiContext& ui) const {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.theme.px(8), ui.theme.px(8)));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.theme.px(10), ui.theme.px(6)));
   if (ImGui::BeginPopup("landscape menu")) {
@@ -336,6 +357,41 @@ void LandscapeCanvas::draw(const UiContext& ui, ImVec2 size) {
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar(2);
+}
+
+void LandscapeCanvas::draw(const UiContext& ui, ImVec2 size) {
+  EditorState& state = ui.state;
+  const int width = std::max(int(size.x), 16);
+  const int height = std::max(int(size.y), 16);
+  const PixelPoint canvas{double(width), double(height)};
+  takes_letters_ = false;
+  state.exploring.ring_out_of_sight = false;
+  place_camera(state);
+  origin_ = ImGui::GetCursorScreenPos();
+  state.exploring.aspect = float(width) / float(height);
+  mini_map_.handle(ui, origin_, size);
+  ImGui::InvisibleButton(
+      "landscape canvas", ImVec2(float(width), float(height)),
+      ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+  if (ImGui::IsItemActivated()) pressed_here_ = true;
+  const bool hovered = ImGui::IsItemHovered();
+  const bool active = ImGui::IsItemActive();
+  const ImVec2 end(origin_.x + float(width), origin_.y + float(height));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (!state.document.terrain || !state.shown) {
+    list.AddRectFilled(origin_, end, colour_u32(ui.theme.window));
+    return;
+  }
+  advance(state);
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  handle_mouse(ui, canvas, {mouse.x - origin_.x, mouse.y - origin_.y}, hovered, active);
+  draw_picture(state, width, height);
+  list.PushClipRect(origin_, end, true);
+  const auto texture = reinterpret_cast<ImTextureID>(std::uintptr_t(target_->texture()));
+  list.AddImage(texture, origin_, end, ImVec2(0, 1), ImVec2(1, 0));
+  draw_over(ui, origin_, size);
+  list.PopClipRect();
+  draw_menu(ui);
 }
 
 }  // namespace biotope

@@ -8,6 +8,8 @@
 #include "render/offscreen_context.hpp"
 #include "ui/camera_gestures.hpp"
 #include "ui/gesture_overlay.hpp"
+#include "ui/landscape_drape.hpp"
+#include "ui/landscape_overlay.hpp"
 #include "ui/mini_map.hpp"
 #include "ui/picture_export.hpp"
 #include "ui/view_transform.hpp"
@@ -26,7 +28,11 @@ class LandscapeCanvas {
   /// True while keys fly the camera: letters are then no shortcuts.
   [[nodiscard]] bool takes_letters() const { return takes_letters_; }
   /// True while a sharper picture is still to come, or the camera or what it sees moves by itself.
-  [[nodiscard]] bool refining() const { return refining_ || moving_; }
+  [[nodiscard]] bool refining() const { return refining_ || moving_ || awaiting_; }
+  /// Revision of the document whose ground and plants the picture shows, all of them; 0 while some are still to come.
+  [[nodiscard]] std::uint64_t answered() const {
+    return has_picture_ && renderer_->complete() && drawn_.snapshot ? drawn_.snapshot->document_revision : 0;
+  }
   /// Once a frame, whether the view is shown or not: pictures and videos that were asked for are drawn, a slice at a time.
   void make_pictures(EditorState& state);
   [[nodiscard]] bool makes_pictures() const { return exporter_.running(); }
@@ -39,7 +45,7 @@ class LandscapeCanvas {
     int width = 0;
     int height = 0;
   };
-  explicit LandscapeCanvas(std::unique_ptr<LandscapeRenderer> renderer);
+  LandscapeCanvas(std::unique_ptr<LandscapeRenderer> renderer, LandscapeOverlay overlay, LandscapeDrape drape);
   void place_camera(EditorState& state);
   /// Whether the picture is of the plans that are shown: it may be of older ones for a while.
   [[nodiscard]] bool draws_shown_plans(const EditorState& state) const;
@@ -47,16 +53,32 @@ class LandscapeCanvas {
   [[nodiscard]] std::optional<glm::dvec3> followed_place(const EditorState& state);
   /// Sets the quality of the level, measured where it is automatic.
   void follow_quality(EditorState& state);
-  void draw_picture(const UiContext& ui, int width, int height);
+  /// What moves by itself: quality, flights, what is followed, the camera's path, leaves and water.
+  void advance(EditorState& state);
+  [[nodiscard]] Picture wanted_picture(const EditorState& state, int width, int height) const;
+  /// Share of the resolution that is to be drawn at now; nothing when the picture that is there serves. `news`: the renderer has
+  /// something that it has not drawn yet.
+  [[nodiscard]] std::optional<double> resolution_now(const EditorState& state, const Picture& wanted, bool news);
+  /// Takes what a picture cost into account for the next ones.
+  void learn_from(double seconds, double resolution);
+  /// Notes since when an edit waits for the picture that answers it.
+  void await_answer(const EditorState& state, const MapsSnapshot& wanted);
+  void draw_picture(const EditorState& state, int width, int height);
   void handle_mouse(const UiContext& ui, PixelPoint canvas, PixelPoint pixel, bool hovered, bool active);
   /// How far the pointer takes hold of things, in cells, where it is.
   [[nodiscard]] float reach_at_pointer(const UiContext& ui, PixelPoint canvas) const;
   /// What a person placed and draws.
-  void draw_things(const UiContext& ui, ImVec2 origin, PixelPoint canvas);
+  void draw_things(const UiContext& ui, ImVec2 origin, ImVec2 size);
+  void draw_camera_path(const EditorState& state);
+  /// All that lies over the picture.
+  void draw_over(const UiContext& ui, ImVec2 origin, ImVec2 size);
+  void draw_menu(const UiContext& ui) const;
   void handle_tool(const UiContext& ui, PixelPoint canvas, bool hovered);
   void follow_stroke(const UiContext& ui, PixelPoint canvas);
 
   std::unique_ptr<LandscapeRenderer> renderer_;
+  LandscapeOverlay overlay_;
+  LandscapeDrape drape_;
   std::unique_ptr<RenderTarget> target_;
   Picture drawn_;
   /// Revision of the snapshot for which the camera was last placed.
@@ -68,7 +90,11 @@ class LandscapeCanvas {
   double drawn_at_ = 0;       ///< time of the last picture, s
   double drawn_seconds_ = 0;  ///< what it took, s
   bool measuring_ = false;
+  bool measures_now_ = false;             ///< this picture is one of those
   std::vector<double> measured_seconds_;  ///< of pictures at level low
+  std::uint64_t awaited_ = 0;             ///< revision of the document that was posted last
+  double awaited_since_ = 0;              ///< s
+  bool awaiting_ = false;                 ///< its picture is not there, and it was posted just now
   double last_change_ = 0;                ///< time of the last change of the picture, s
   bool refining_ = false;
   bool takes_letters_ = false;

@@ -22,14 +22,15 @@ void follow_from_here(EditorState& state) {
   state.exploring.following = true;
 }
 
-/// Plants as they are drawn; before there are any of what is shown, where they will be.
-PlantPlacement plants_of(const EditorState& state, const LandscapeClick& click) {
-  const MapsSnapshot* drawn = click.plants != nullptr ? click.plants->snapshot() : nullptr;
-  return drawn != nullptr && drawn->web == state.shown->web ? *click.plants : PlantPlacement(state.shown);
+/// The number that a species of the drawn plants has in what is shown; -1: it is not there any more.
+int shown_species(const EditorState& state, const PlantPlacement& plants, int species) {
+  const FoodWeb& drawn = *plants.snapshot()->web;
+  return state.shown->web ? state.shown->web->find(drawn.species[std::size_t(species)].name) : -1;
 }
 
-void choose_plant(EditorState& state, const PickedPlant& plant) {
-  if (plant.species != state.selected_species) select_species(state, plant.species);
+void choose_plant(EditorState& state, const PlantPlacement& plants, const PickedPlant& plant) {
+  const int species = shown_species(state, plants, plant.species);
+  if (species >= 0 && species != state.selected_species) select_species(state, species);
   const PathPoint cell = cell_of(ground_of(state), plant.foot);
   ask_why(state, int(std::lround(cell.x)), int(std::lround(cell.y)));
 }
@@ -38,20 +39,20 @@ void choose_plant(EditorState& state, const PickedPlant& plant) {
 
 void click_landscape(EditorState& state, const LandscapeClick& click) {
   if (!state.shown || !state.document.terrain) return;
-  const glm::dvec3& eye = state.view.camera.position;
-  const double to_ground = click.ground ? glm::length(*click.ground - eye) : 1e5;
+  const double to_ground = click.ground ? glm::length(*click.ground - click.eye) : 1e5;
   if (state.view.herds) {
-    const auto animal = pick_animal(click.drawn, eye, click.ray, to_ground + beyond_ground);
+    const auto animal = pick_animal(click.drawn, click.eye, click.ray, to_ground + beyond_ground);
     if (animal && choose_plan(state, animal->plan)) {
       state.exploring.member = animal->member;
       follow_from_here(state);
       return;
     }
   }
-  if (state.view.plants) {
-    const auto plant = pick_plant(plants_of(state, click), eye, click.ray, to_ground, state.view.visible_species);
+  const bool plants = state.view.plants && click.plants != nullptr && click.plants->snapshot() != nullptr;
+  if (plants) {
+    const auto plant = pick_plant(*click.plants, click.eye, click.ray, to_ground, state.view.visible_species);
     if (plant) {
-      choose_plant(state, *plant);
+      choose_plant(state, *click.plants, *plant);
       return;
     }
   }
@@ -63,10 +64,10 @@ void click_landscape(EditorState& state, const LandscapeClick& click) {
     follow_from_here(state);
     return;
   }
-  const bool tells_herbs = state.view.plants && to_ground < herbs_told;
-  const auto herb = tells_herbs ? herb_at(plants_of(state, click), *click.ground, state.view.visible_species) : std::nullopt;
+  const auto herb =
+      plants && to_ground < herbs_told ? herb_at(*click.plants, *click.ground, state.view.visible_species) : std::nullopt;
   if (herb) {
-    choose_plant(state, *herb);
+    choose_plant(state, *click.plants, *herb);
     return;
   }
   ask_why(state, int(std::lround(cell.x)), int(std::lround(cell.y)));

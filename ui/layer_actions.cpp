@@ -1,6 +1,7 @@
 #include "ui/layer_actions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/exchange/geotiff.hpp"
@@ -8,6 +9,7 @@
 #include "ui/edit_actions.hpp"
 #include "ui/editor_actions.hpp"
 #include "ui/paint_targets.hpp"
+#include "ui/widgets.hpp"
 
 namespace biotope {
 namespace {
@@ -20,17 +22,23 @@ bool holds_paint(const PaintLayer& layer) {
 }
 
 /// Changes a layer's state; the default one is not kept.
+void change_state(Document& document, const LayerId& layer, const std::function<void(LayerState&)>& change) {
+  LayerState changed = document.layer_states[layer];
+  change(changed);
+  if (changed == LayerState{}) {
+    document.layer_states.erase(layer);
+  } else {
+    document.layer_states[layer] = changed;
+  }
+}
+
+void set_locked(Document& document, const LayerId& layer, bool locked) {
+  change_state(document, layer, [locked](LayerState& changed) { changed.locked = locked; });
+}
+
 void change_state(EditorState& state, const std::string& name, const LayerId& layer,
                   const std::function<void(LayerState&)>& change) {
-  perform_edit(state, PartsEdit{name, [layer, change](Document& document) {
-                                  LayerState changed = document.layer_states[layer];
-                                  change(changed);
-                                  if (changed == LayerState{}) {
-                                    document.layer_states.erase(layer);
-                                  } else {
-                                    document.layer_states[layer] = changed;
-                                  }
-                                }});
+  perform_edit(state, PartsEdit{name, [layer, change](Document& document) { change_state(document, layer, change); }});
 }
 
 /// Paint with its values brought from one range to another.
@@ -46,14 +54,6 @@ PaintLayer rescaled_paint(PaintLayer paint, const LayerLimits& from, const Layer
 }
 
 bool has_ending(const std::filesystem::path& file, const char* ending) { return file.extension() == ending; }
-
-/// Reads an image as a layer's values: pictures of layers without a usual range take the given one.
-Result<Grid<float>> read_values(const std::filesystem::path& file, const LayerId& layer, const Terrain& terrain,
-                                ValueRange range) {
-  auto values = read_layer_image(file, layer, terrain);
-  if (values || usual_range(layer)) return values;
-  return read_layer_image(file, layer, terrain, range);
-}
 
 Status write_map(const std::filesystem::path& file, const LayerId& layer, const Grid<float>& map, const Terrain& terrain) {
   if (!has_ending(file, ".png")) return write_geotiff(file, map, terrain);
@@ -115,6 +115,24 @@ void set_layer_locked(EditorState& state, const LayerId& layer, bool locked) {
   change_state(state, name, layer, [locked](LayerState& changed) { changed.locked = locked; });
 }
 
+namespace {
+
+LayerId density_layer(const Species& species) {
+  return {species.is_plant() ? LayerKind::plant_density : LayerKind::animal_density, species.name};
+}
+
+}  // namespace
+
+bool species_locked(const Document& document, const Species& species) { return is_locked(document, density_layer(species)); }
+
+void set_species_locked(EditorState& state, const Species& species, bool locked) {
+  const std::string name = (locked ? "Lock " : "Unlock ") + display_name(species);
+  const std::array<LayerId, 2> layers{density_layer(species), LayerId{LayerKind::loss, species.name}};
+  perform_edit(state, PartsEdit{name, [layers, locked](Document& document) {
+                                  for (const LayerId& layer : layers) set_locked(document, layer, locked);
+                                }});
+}
+
 void copy_layer(EditorState& state, const LayerId& layer) {
   const auto found = state.document.layers.find(layer);
   if (found == state.document.layers.end()) return;
@@ -156,28 +174,25 @@ void mix_layers(EditorState& state, const LayerId& into, const LayerId& from, La
   perform_edit(state, MixEdit{into, from, std::move(paint), mix});
 }
 
+void offer_image(EditorState& state, const LayerId& layer, const std::filesystem::path& file) {
+  if (!state.has_document) return;
+  const auto facts = look_at_image(file);
+  if (!facts) {
+    complain(state, "The image was not imported", facts.error());
+    return;
+  }
+  // The Enter that chose the file is not the one that imports it.
+  (void)take_key(state, DialogKey::enter);
+  state.image_import = offered_import(state, layer, file, *facts);
+  state.dialogs.import_image = true;
+}
+
 void import_layer_image(EditorState& state, const LayerId& layer) {
   FileRequest request;
   request.title = "Import an image as " + layer_title(layer, state.web());
   request.action = "Import";
   request.browser.endings = {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".exr", ".asc"};
-  request.then = [layer](EditorState& later, const std::filesystem::path& file) {
-    if (!later.has_document) return;
-    const LayerLimits limits = limits_of(later, layer);
-    later.importing.start(
-        "Reading " + file.filename().string(),
-        [file, layer, terrain = later.document.terrain, limits,
-         filter = is_painting(later.tool) ? later.brush.filter : BrushFilter{}](const TaskContext&) -> Result<ImageEdit> {
-          auto values = read_values(file, layer, *terrain, {limits.low, limits.high});
-          if (!values) return tl::unexpected(values.error());
-          ImageEdit edit;
-          edit.layer = layer;
-          edit.values = std::make_shared<const Grid<float>>(std::move(*values));
-          edit.source = file.string();
-          edit.filter = filter;
-          return edit;
-        });
-  };
+  request.then = [layer](EditorState& later, const std::filesystem::path& file) { offer_image(later, layer, file); };
   ask_for_file(state, std::move(request));
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -17,6 +18,29 @@ void select_species(EditorState& state, int species) {
   // The kind of map that was looked at is kept, so that fitness can be compared from species to species.
   const bool keeps_kind = map.kind != MapKind::none && map.kind != MapKind::group_cover && map.kind != MapKind::passage;
   map = {keeps_kind ? map.kind : plant ? MapKind::plant_cover : MapKind::animal_density, species};
+}
+
+void select_for_tab(EditorState& state) {
+  const FoodWeb* web = state.web();
+  const bool plants = state.view.tab == Tab::plants;
+  if (web == nullptr || (!plants && state.view.tab != Tab::animals)) return;
+  const auto of_kind = [&](int number, bool plant) {
+    return number >= 0 && number < int(web->species.size()) && web->species[std::size_t(number)].is_plant() == plant;
+  };
+  const std::size_t kind = plants ? 0 : 1;
+  if (of_kind(state.selected_species, plants)) {
+    state.last_selected[kind] = state.selected_species;
+    return;
+  }
+  if (of_kind(state.selected_species, !plants)) state.last_selected[1 - kind] = state.selected_species;
+  if (!of_kind(state.last_selected[kind], plants)) {
+    const auto level = std::find_if(web->levels.begin() + (plants || web->levels.empty() ? 0 : 1), web->levels.end(),
+                                    [](const std::vector<int>& species) { return !species.empty(); });
+    if (level == web->levels.end() || !of_kind(level->front(), plants)) return;
+    state.last_selected[kind] = level->front();
+  }
+  state.also_selected.clear();
+  state.selected_species = state.last_selected[kind];
 }
 
 void toggle_species(EditorState& state, int species) {

@@ -183,7 +183,7 @@ std::shared_ptr<const Grid<float>> animal_map(const MapsSnapshot& snapshot, cons
     return std::make_shared<Grid<float>>(
         animal_surplus(*snapshot.web, id.item, *level, snapshot.animals, snapshot.loss(id.item).get()));
   }
-  const Grid<std::int32_t>& label = level->regions[std::size_t(index)]->label;
+  const RunMap& label = level->regions[std::size_t(index)]->label;
   return fill(label.width(), label.height(), [&](int x, int y) { return float(label(x, y)); });
 }
 

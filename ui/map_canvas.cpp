@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/brush_ring.hpp"
 #include "ui/canvas_menu.hpp"
 #include "ui/editor_actions.hpp"
 #include "ui/format.hpp"
@@ -56,27 +57,10 @@ MapOptions MapCanvas::options_for(const UiContext& ui) {
   options.dark = ui.theme.dark;
   options.pixel_scale = ui.theme.scale;
   const FoodWeb* web = state.web();
-  const MapId id = visible_map(state);
-  const MapEntry entry = describe_map(id, web);
-  const MapId painted_map = web != nullptr && state.painting.shown() ? map_of_layer(state.painting.layer(), *web) : MapId{};
-  if (id.kind != MapKind::none && painted_map == id) {
-    if (values_of_ != id) values_ = {};
-    values_.cells = state.painting.shown();
-    values_.low = std::min(values_.low, state.painting.least());
-    values_.high = std::max(values_.high, state.painting.greatest());
-    values_current_ = true;
-  } else {
-    auto answer = state.maps.request(state.newest, id);
-    if (!answer.values.cells && state.shown != state.newest) answer = state.maps.request(state.shown, id);
-    values_ = answer.values;
-    values_current_ = answer.current;
-  }
-  values_of_ = id;
-  if (values_.cells && id.kind != MapKind::none) {
-    const ScaleRange range = scale_range(entry, values_.low, values_.high);
-    options.overlay = MapOverlay{values_.cells, range.low, range.high, entry.colours, state.view.opacity, entry.clear_below};
-    if (state.view.iso_lines) options.line_step = line_step(range);
-  }
+  follow_shown_map(state, map_);
+  const MapId id = map_.id;
+  options.overlay = overlay_of(state, map_);
+  if (options.overlay && state.view.iso_lines) options.line_step = line_step({options.overlay->low, options.overlay->high});
   if (web != nullptr && state.view.hatch) {
     if (const auto layer = layer_of_map(id, *web)) {
       const auto found = state.document.layers.find(*layer);
@@ -136,7 +120,7 @@ void MapCanvas::handle_tool(const UiContext& ui, PixelPoint canvas, const PathPo
     return;
   }
   const float reach = ui.theme.px(9) / float(state.view.map.pixels_per_cell);
-  if (handle_placing(ui, cell, reach, hovered && !space_held())) return;
+  if (handle_placing(ui, PlacingView::map, cell, reach, hovered && !space_held())) return;
   if (!hovered || space_held()) return;
   const int x = int(std::lround(cell.x));
   const int y = int(std::lround(cell.y));
@@ -214,10 +198,8 @@ void MapCanvas::draw_cursor(const UiContext& ui, ImVec2 origin, PixelPoint canva
     list.AddCircle(place, ui.theme.px(7), IM_COL32(0, 0, 0, 200), 24, ui.theme.px(4));
     list.AddCircle(place, ui.theme.px(7), colour_u32(ui.theme.attention), 24, ui.theme.px(2));
   }
-  if (state.exploring.pointer && !hovered && is_brush(state.tool)) {
-    // The pointer is over the 3D view: the same place here.
-    const PathPoint cell = *state.exploring.pointer;
-    overlay_.draw_cursor(ui, origin, canvas, pixel_of(state.view.map, canvas, double(cell.x), double(cell.y)));
+  if (const auto cell = ring_on_map(state, hovered)) {
+    overlay_.draw_cursor(ui, origin, canvas, pixel_of(state.view.map, canvas, double(cell->x), double(cell->y)));
     return;
   }
   if ((!hovered && !state.painting.stroking()) || space_held()) return;
@@ -227,12 +209,12 @@ void MapCanvas::draw_cursor(const UiContext& ui, ImVec2 origin, PixelPoint canva
 void MapCanvas::draw_things(const UiContext& ui, ImVec2 origin, PixelPoint canvas, PixelPoint pixel, bool hovered) const {
   const EditorState& state = ui.state;
   if (!state.document.terrain) return;
-  const auto project = [&](PathPoint cell) -> std::optional<ImVec2> {
+  const ScreenPlace place = [&](PathPoint cell) -> std::optional<ImVec2> {
     const PixelPoint at = pixel_of(state.view.map, canvas, double(cell.x), double(cell.y));
     return ImVec2(origin.x + float(at.x), origin.y + float(at.y));
   };
   const auto pointer = hovered ? std::optional(cell_at(state.view.map, canvas, pixel)) : std::nullopt;
-  draw_placed(ui, project, state.view.map.pixels_per_cell / state.document.terrain->cell_size, pointer);
+  draw_placed(ui, flat_pen(*ImGui::GetWindowDrawList(), ui.theme, place), pointer);
 }
 
 void MapCanvas::draw_herd_tooltip(const UiContext& ui, PixelPoint canvas, PixelPoint pixel) const {
@@ -265,6 +247,19 @@ void MapCanvas::draw_context_menu(const UiContext& ui) {
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar(2);
+}
+
+void MapCanvas::draw_furniture(const UiContext& ui, ImVec2 origin, ImVec2 size) const {
+  const EditorState& state = ui.state;
+  if (!state.document.terrain) return;
+  const MapEntry entry = describe_map(visible_map(state), state.web());
+  ImVec2 legend;
+  if (map_.values.cells) {
+    const ScaleRange range = scale_range(entry, map_.values.low, map_.values.high);
+    legend = draw_legend(ui.theme, origin, size, entry, range.low, range.high, !map_.current);
+  }
+  draw_scale_bar(ui.theme, origin, size, state.document.terrain->cell_size / state.view.map.pixels_per_cell, legend);
+  draw_north_arrow(ui.theme, origin, size, 0);
 }
 
 void MapCanvas::draw(const UiContext& ui, ImVec2 size) {
@@ -301,15 +296,7 @@ void MapCanvas::draw(const UiContext& ui, ImVec2 size) {
   draw_things(ui, origin, canvas, pixel, hovered);
   camera_mark_.draw(ui, origin, canvas);
   draw_cursor(ui, origin, canvas, pixel, hovered);
-  if (state.document.terrain) {
-    const MapEntry entry = describe_map(visible_map(state), state.web());
-    if (values_.cells) {
-      const ScaleRange range = scale_range(entry, values_.low, values_.high);
-      draw_legend(ui.theme, origin, size, entry, range.low, range.high, !values_current_);
-    }
-    draw_scale_bar(ui.theme, origin, size, state.document.terrain->cell_size / state.view.map.pixels_per_cell);
-    draw_north_arrow(ui.theme, origin, size, 0);
-  }
+  draw_furniture(ui, origin, size);
   list.PopClipRect();
   if (hovered && !tool_active(state) && !ImGui::IsMouseDown(0)) draw_herd_tooltip(ui, canvas, pixel);
   draw_context_menu(ui);

@@ -5,6 +5,7 @@
 #include "render/map_renderer.hpp"
 #include "render/offscreen_context.hpp"
 #include "ui/camera_mark.hpp"
+#include "ui/shown_map.hpp"
 #include "ui/tool_overlay.hpp"
 #include "ui/view_transform.hpp"
 #include "ui/widgets.hpp"
@@ -42,15 +43,15 @@ class MapCanvas {
   void draw_context_menu(const UiContext& ui);
   /// What a person placed and draws.
   void draw_things(const UiContext& ui, ImVec2 origin, PixelPoint canvas, PixelPoint pixel, bool hovered) const;
+  /// Legend, scale bar and north arrow.
+  void draw_furniture(const UiContext& ui, ImVec2 origin, ImVec2 size) const;
   void draw_herd_tooltip(const UiContext& ui, PixelPoint canvas, PixelPoint pixel) const;
 
   std::unique_ptr<MapRenderer> renderer_;
   std::unique_ptr<RenderTarget> target_;
   Picture drawn_;
   bool has_picture_ = false;
-  MapValues values_;  ///< of the map shown
-  bool values_current_ = false;
-  MapId values_of_;
+  ShownMap map_;
   MapView fitted_;       ///< the view that showed the whole map last
   PathPoint asked_;      ///< cell of the context menu
   ImVec2 origin_;        ///< upper left corner on the screen

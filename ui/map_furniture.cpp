@@ -16,7 +16,7 @@ std::string tick_text(double value, const std::string& unit) {
   return unit == "%" ? format_round_number(value * 100) + " %" : format_round_number(value);
 }
 
-void draw_class_legend(const Theme& theme, ImVec2 corner, const MapEntry& map) {
+ImVec2 draw_class_legend(const Theme& theme, ImVec2 corner, const MapEntry& map) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float row = ImGui::GetFontSize() + theme.px(3);
   const float width = theme.px(150);
@@ -32,6 +32,7 @@ void draw_class_legend(const Theme& theme, ImVec2 corner, const MapEntry& map) {
                        colour_u32(to_imgui(category_colour(int(i)))), theme.px(2));
     list.AddText(ImVec2(top.x + theme.px(32), y), colour_u32(theme.text), map.classes[i].c_str());
   }
+  return {width + theme.px(12), height + theme.px(12)};
 }
 
 }  // namespace
@@ -68,15 +69,48 @@ ScaleRange scale_range(const MapEntry& map, float least, float greatest) {
   return {low, high};
 }
 
-void draw_legend(const Theme& theme, ImVec2 origin, ImVec2 size, const MapEntry& map, float low, float high, bool updating) {
-  if (map.id.kind == MapKind::none) return;
+namespace {
+
+/// The colours from one end of a scale to the other.
+void draw_colours(ColourMap colours, ImVec2 from, ImVec2 size) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  constexpr int steps = 48;
+  for (int i = 0; i < steps; ++i) {
+    const ImU32 a = colour_u32(to_imgui(colour_of(colours, float(i) / steps)));
+    const ImU32 b = colour_u32(to_imgui(colour_of(colours, float(i + 1) / steps)));
+    list.AddRectFilledMultiColor(ImVec2(from.x + size.x * float(i) / steps, from.y),
+                                 ImVec2(from.x + size.x * float(i + 1) / steps, from.y + size.y), a, b, b, a);
+  }
+}
+
+/// Round values under a scale; texts keep between `least` and `most`, and one that would touch the one before is left out.
+void draw_ticks(const Theme& theme, ImVec2 from, float width, const ScaleRange& range, const std::string& unit, float least,
+                float most) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  float taken = least;
+  for (const double tick : round_ticks(range.low, range.high, 5)) {
+    const float x = from.x + width * float((tick - double(range.low)) / double(range.high - range.low));
+    list.AddLine(ImVec2(x, from.y), ImVec2(x, from.y + theme.px(3)), colour_u32(theme.text), theme.px(1));
+    const std::string words = tick_text(tick, unit);
+    const float half = ImGui::CalcTextSize(words.c_str()).x / 2;
+    const float at = std::clamp(x - half, least, most - 2 * half);
+    if (at < taken) continue;
+    list.AddText(ImVec2(at, from.y + theme.px(3)), colour_u32(theme.muted), words.c_str());
+    taken = at + 2 * half + theme.px(4);
+  }
+}
+
+}  // namespace
+
+ImVec2 draw_legend(const Theme& theme, ImVec2 origin, ImVec2 size, const MapEntry& map, float low, float high, bool updating) {
+  if (map.id.kind == MapKind::none) return {};
   const float margin = theme.px(12);
   const ImVec2 corner(origin.x + margin, origin.y + size.y - margin);
   ImGui::PushFont(theme.small);
   if (!map.classes.empty()) {
-    draw_class_legend(theme, corner, map);
+    const ImVec2 taken = draw_class_legend(theme, corner, map);
     ImGui::PopFont();
-    return;
+    return taken;
   }
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool classes = map.colours == ColourMap::categorical;
@@ -84,7 +118,8 @@ void draw_legend(const Theme& theme, ImVec2 origin, ImVec2 size, const MapEntry&
   std::string title = map.title;
   if (!map.unit.empty() && map.unit != "%") title += " (" + map.unit + ")";
   if (updating) title += "  ...";
-  const float bar = theme.px(168);
+  const float bar = std::min(theme.px(168), std::max(size.x - 2 * margin - theme.px(28), theme.px(60)));
+  title = fitted_text(title, std::max(bar, size.x - 2 * margin - theme.px(28)));
   const float width = std::max(bar, ImGui::CalcTextSize(title.c_str()).x) + theme.px(28);
   const float height = line + theme.px(14) + (classes ? 0 : line + theme.px(18));
   const ImVec2 top(corner.x, corner.y - height);
@@ -93,34 +128,22 @@ void draw_legend(const Theme& theme, ImVec2 origin, ImVec2 size, const MapEntry&
   if (!classes) {
     const ImVec2 from(top.x + theme.px(14), top.y + line + theme.px(12));
     const float thick = theme.px(10);
-    constexpr int steps = 48;
-    for (int i = 0; i < steps; ++i) {
-      const auto left = colour_of(map.colours, float(i) / steps);
-      const auto right = colour_of(map.colours, float(i + 1) / steps);
-      const ImU32 a = colour_u32(to_imgui(left));
-      const ImU32 b = colour_u32(to_imgui(right));
-      const float x0 = from.x + bar * float(i) / steps;
-      list.AddRectFilledMultiColor(ImVec2(x0, from.y), ImVec2(from.x + bar * float(i + 1) / steps, from.y + thick), a, b, b, a);
-    }
-    for (const double tick : round_ticks(low, high, 5)) {
-      const float x = from.x + bar * float((tick - low) / (high - low));
-      list.AddLine(ImVec2(x, from.y + thick), ImVec2(x, from.y + thick + theme.px(3)), colour_u32(theme.text), theme.px(1));
-      const std::string words = tick_text(tick, map.unit);
-      const float half = ImGui::CalcTextSize(words.c_str()).x / 2;
-      const float at = std::clamp(x - half, top.x + theme.px(4), top.x + width - 2 * half - theme.px(4));
-      list.AddText(ImVec2(at, from.y + thick + theme.px(3)), colour_u32(theme.muted), words.c_str());
-    }
+    draw_colours(map.colours, from, ImVec2(bar, thick));
+    draw_ticks(theme, ImVec2(from.x, from.y + thick), bar, {low, high}, map.unit, top.x + theme.px(4),
+               top.x + width - theme.px(4));
   }
   ImGui::PopFont();
+  return {width + margin, height + margin};
 }
 
-void draw_scale_bar(const Theme& theme, ImVec2 origin, ImVec2 size, double metres_per_pixel) {
+void draw_scale_bar(const Theme& theme, ImVec2 origin, ImVec2 size, double metres_per_pixel, ImVec2 legend) {
   const ScaleBar bar = scale_bar(metres_per_pixel, theme.px(120));
   if (bar.metres <= 0) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float right = origin.x + size.x - theme.px(14);
-  const float bottom = origin.y + size.y - theme.px(14);
   const float left = right - float(bar.pixels);
+  const bool beside = left > origin.x + legend.x + theme.px(8);
+  const float bottom = origin.y + size.y - (beside ? theme.px(14) : legend.y + theme.px(10));
   const float thick = theme.px(4);
   list.AddRectFilled(ImVec2(left - 1, bottom - thick - 1), ImVec2(right + 1, bottom + 1), IM_COL32(0, 0, 0, 200));
   list.AddRectFilled(ImVec2(left, bottom - thick), ImVec2(right, bottom), IM_COL32(250, 250, 250, 255));

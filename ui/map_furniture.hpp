@@ -6,10 +6,10 @@
 namespace biotope {
 
 /// Colour scale of a map with round values and its unit, or its classes, in the lower left corner of a canvas. `updating`: the
-/// values are of an older state.
-void draw_legend(const Theme& theme, ImVec2 origin, ImVec2 size, const MapEntry& map, float low, float high, bool updating);
-/// A bar of a round length in the lower right corner.
-void draw_scale_bar(const Theme& theme, ImVec2 origin, ImVec2 size, double metres_per_pixel);
+/// values are of an older state. Returns its size, nothing where there is no map.
+ImVec2 draw_legend(const Theme& theme, ImVec2 origin, ImVec2 size, const MapEntry& map, float low, float high, bool updating);
+/// A bar of a round length in the lower right corner; above a legend of that size where both do not fit beside one another.
+void draw_scale_bar(const Theme& theme, ImVec2 origin, ImVec2 size, double metres_per_pixel, ImVec2 legend);
 /// A small north arrow in the upper right corner, turned by `heading` degrees.
 void draw_north_arrow(const Theme& theme, ImVec2 origin, ImVec2 size, float heading);
 

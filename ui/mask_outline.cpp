@@ -61,6 +61,28 @@ void for_runs(int count, const Crosses& crosses, const Piece& piece) {
   }
 }
 
+/// Runs of blocks of the same level of `share(x, y)`, which is 0..1; blocks of level 0 are left out.
+template <class Share>
+std::vector<FilmRun> runs_over(const Rect& cells, int step, const Share& share) {
+  std::vector<FilmRun> runs;
+  for (int y = cells.y0; y < cells.y1; y += step) {
+    const int middle_y = std::min(y + step / 2, cells.y1 - 1);
+    FilmRun run{{cells.x0, y, cells.x0, std::min(y + step, cells.y1)}, 0};
+    for (int x = cells.x0; x < cells.x1; x += step) {
+      const int middle_x = std::min(x + step / 2, cells.x1 - 1);
+      const int level = std::clamp(int(std::lround(share(middle_x, middle_y) * film_levels)), 0, film_levels);
+      if (level != run.level) {
+        if (run.level > 0) runs.push_back(run);
+        run.cells.x0 = x;
+        run.level = level;
+      }
+      run.cells.x1 = std::min(x + step, cells.x1);
+    }
+    if (run.level > 0) runs.push_back(run);
+  }
+  return runs;
+}
+
 }  // namespace
 
 std::vector<OutlinePiece> outline_of(const SelectionMask& mask, const Rect& cells, int step) {
@@ -88,25 +110,12 @@ std::vector<OutlinePiece> outline_of(const SelectionMask& mask, const Rect& cell
 
 std::vector<FilmRun> film_of(const BrushFilter& filter, const FilterMaps& maps, const SelectionMask* mask, const Rect& cells,
                              int step) {
-  std::vector<FilmRun> runs;
   const SelectionMask* const used = filter.use_selection ? mask : nullptr;
-  for (int y = cells.y0; y < cells.y1; y += step) {
-    const int middle_y = std::min(y + step / 2, cells.y1 - 1);
-    FilmRun run{{cells.x0, y, cells.x0, std::min(y + step, cells.y1)}, 0};
-    for (int x = cells.x0; x < cells.x1; x += step) {
-      const int middle_x = std::min(x + step / 2, cells.x1 - 1);
-      const float weight = filter_weight(filter, maps, middle_x, middle_y) * selected(used, middle_x, middle_y);
-      const int level = std::clamp(int(std::lround((1 - weight) * film_levels)), 0, film_levels);
-      if (level != run.level) {
-        if (run.level > 0) runs.push_back(run);
-        run.cells.x0 = x;
-        run.level = level;
-      }
-      run.cells.x1 = std::min(x + step, cells.x1);
-    }
-    if (run.level > 0) runs.push_back(run);
-  }
-  return runs;
+  return runs_over(cells, step, [&](int x, int y) { return 1 - filter_weight(filter, maps, x, y) * selected(used, x, y); });
+}
+
+std::vector<FilmRun> runs_of(const SelectionMask& mask, const Rect& cells, int step) {
+  return runs_over(cells, step, [&](int x, int y) { return selected(&mask, x, y); });
 }
 
 Rect visible_cells(const MapView& view, PixelPoint canvas, const Rect& map) {

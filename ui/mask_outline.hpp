@@ -29,6 +29,9 @@ struct FilmRun {
 [[nodiscard]] std::vector<FilmRun> film_of(const BrushFilter& filter, const FilterMaps& maps, const SelectionMask* mask,
                                            const Rect& cells, int step);
 
+/// What a mask covers, inside `cells`, looked at every `step` cells.
+[[nodiscard]] std::vector<FilmRun> runs_of(const SelectionMask& mask, const Rect& cells, int step);
+
 /// The cells a view shows, and how many of them make a block of about `pixels` on the screen.
 [[nodiscard]] Rect visible_cells(const MapView& view, PixelPoint canvas, const Rect& map);
 [[nodiscard]] int block_cells(const MapView& view, double pixels);

@@ -92,11 +92,7 @@ void PaintSession::close() {
   awaited_ = 0;
 }
 
-Rect PaintSession::take_changed() {
-  const Rect changed = changed_;
-  changed_ = {};
-  return changed;
-}
+Rect PaintSession::take_changed(Reader reader) { return std::exchange(changed_[std::size_t(reader)], Rect{}); }
 
 PaintSession::ValueSpan PaintSession::write(const Rect& rect, const PaintLayer* paint) {
   const Grid<float>& computed = *plan_.computed.front();
@@ -116,7 +112,7 @@ PaintSession::ValueSpan PaintSession::write(const Rect& rect, const PaintLayer* 
 void PaintSession::note(const Rect& rect, const ValueSpan& span) {
   least_ = std::min(least_, span.least);
   greatest_ = std::max(greatest_, span.greatest);
-  changed_ = bounding(changed_, rect);
+  for (Rect& changed : changed_) changed = bounding(changed, rect);
 }
 
 }  // namespace biotope

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -68,8 +69,9 @@ class PaintSession {
   /// The least and the greatest value painted since the map was first shown.
   [[nodiscard]] float least() const { return least_; }
   [[nodiscard]] float greatest() const { return greatest_; }
-  /// Cells that changed since this was last asked.
-  [[nodiscard]] Rect take_changed();
+  /// Cells that changed since this view last asked.
+  enum class Reader : std::uint8_t { map, landscape };
+  [[nodiscard]] Rect take_changed(Reader reader = Reader::map);
   /// The document revision whose snapshot makes the shown map superfluous.
   void wait_for(std::uint64_t revision) { awaited_ = revision; }
   [[nodiscard]] std::uint64_t awaited() const { return awaited_; }
@@ -90,7 +92,7 @@ class PaintSession {
   std::shared_ptr<const PaintLayer> paint_;  ///< what the shown map holds, between strokes
   std::optional<Stroke> stroke_;
   std::vector<StrokePoint> points_;
-  Rect changed_;
+  std::array<Rect, 2> changed_;
   float least_ = 0;
   float greatest_ = 0;
   std::uint64_t awaited_ = 0;

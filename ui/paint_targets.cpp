@@ -70,6 +70,13 @@ bool selects_nothing(const Document& document) {
   return true;
 }
 
+/// What a fill does; between classes there is nothing, so that they are set and taken off instead.
+BrushMode fill_mode(BrushMode chosen, bool classes) {
+  if (classes && chosen == BrushMode::add) return BrushMode::set;
+  if (classes && chosen == BrushMode::subtract) return BrushMode::restore_computed;
+  return chosen;
+}
+
 /// What the tool in the hand does to a layer of a kind.
 BrushMode mode_of_tool(const EditorState& state, LayerKind kind) {
   const bool ground = kind == LayerKind::ground;
@@ -95,7 +102,7 @@ BrushMode mode_of_tool(const EditorState& state, LayerKind kind) {
     case Tool::carve:
       return BrushMode::lower;
     case Tool::fill:
-      return classes && state.paint.fill_mode == BrushMode::add ? BrushMode::set : state.paint.fill_mode;
+      return fill_mode(state.paint.fill_mode, classes);
     default:
       return ground ? BrushMode::raise : classes ? BrushMode::set : BrushMode::add;
   }
@@ -133,9 +140,7 @@ LayerLimits limits_of(const EditorState& state, const LayerId& layer) {
   return {};
 }
 
-bool layer_locked(const EditorState& state, const LayerId& layer) {
-  return is_locked(state.document, layer) || (of_species(layer.kind) && state.locked_species.contains(layer.name));
-}
+bool layer_locked(const EditorState& state, const LayerId& layer) { return is_locked(state.document, layer); }
 
 std::optional<LayerId> paint_target(const EditorState& state) {
   const LayerId ground{LayerKind::ground, "height"};
@@ -174,8 +179,7 @@ std::string paint_hindrance(const EditorState& state) {
   if (!target && state.view.tab == Tab::climate) return "Choose the map of a resource, the soil or the geology to paint it";
   if (!target) return "Choose a species in the list, or a map in another tab, to paint it";
   if (layer_locked(state, *target)) {
-    return is_locked(state.document, *target) ? "This layer is locked: open its lock in the list of layers to paint it"
-                                              : "This species is locked: open its lock in the list to paint it";
+    return "This layer is locked: open its lock in the list of layers, or of species, to paint it";
   }
   const auto layer_state = state.document.layer_states.find(*target);
   if (layer_state != state.document.layer_states.end() && layer_state->second.hidden) {

@@ -3,7 +3,10 @@
 #include "ui/edit_actions.hpp"
 #include "ui/editor_actions.hpp"
 #include "ui/icons.hpp"
+#include "ui/locking_commands.hpp"
 #include "ui/paint_targets.hpp"
+#include "ui/placing_actions.hpp"
+#include "ui/placing_commands.hpp"
 #include "ui/tool_gestures.hpp"
 
 namespace biotope {
@@ -92,6 +95,15 @@ void add_selection(std::vector<EditorCommand>& list) {
                          [](EditorState& state) { state.dialogs.select_range = true; }));
 }
 
+/// Delete: the placed thing that is selected, else the paint within selection and filter.
+void remove_here(EditorState& state) {
+  if (removes_thing(state)) {
+    remove_selected(state);
+  } else {
+    restore_here(state);
+  }
+}
+
 void add_layer_commands(std::vector<EditorCommand>& list) {
   list.push_back(command("paint.fill", "Fill now", "Shift+Enter", "Fill what is selected with the brush's value", icons::bucket,
                          [](EditorState& state) {
@@ -101,16 +113,9 @@ void add_layer_commands(std::vector<EditorCommand>& list) {
                          }));
   list.back().line_before = true;
   list.push_back(command("paint.restore", "Take the paint off here", "Delete",
-                         "Give the computed map back where something is selected, or everywhere", icons::restore,
-                         [](EditorState& state) {
-                           const Tool before = std::exchange(state.tool, Tool::fill);
-                           const BrushMode mode = std::exchange(state.paint.fill_mode, BrushMode::restore_computed);
-                           const float strength = std::exchange(state.paint.fill_strength, 1.0F);
-                           press_tool(state, {}, {});
-                           state.tool = before;
-                           state.paint.fill_mode = mode;
-                           state.paint.fill_strength = strength;
-                         }));
+                         "Give the computed map back where something is selected, or everywhere; with a placed thing "
+                         "selected, remove that",
+                         icons::restore, remove_here));
   list.push_back(command("brush.show_filter", "Show where the brush may act", "Shift+F",
                          "Red film where the filter or the selection keep it away", icons::filter,
                          [](EditorState& state) { state.paint.show_filter = !state.paint.show_filter; }));
@@ -121,8 +126,12 @@ void add_layer_commands(std::vector<EditorCommand>& list) {
 
 void add_painting_commands(std::vector<EditorCommand>& list) {
   add_selection(list);
+  add_locking_commands(list);
   add_layer_commands(list);
+  add_paint_copy_commands(list);
+  add_preset_commands(list);
   add_tools(list);
+  add_placing_commands(list);
 }
 
 }  // namespace biotope

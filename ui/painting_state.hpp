@@ -45,13 +45,13 @@ struct PaintSetup {
   std::optional<PathPoint> last_point;
   /// Strokes begun, so that each has noise of its own.
   std::uint64_t strokes = 0;
-  std::string stamp;       ///< name of the stamp in use; empty: a disk
-  std::string preset;      ///< name of the preset chosen last
-  std::string new_preset;  ///< name being typed
+  std::string stamp;           ///< name of the stamp in use; empty: a disk
+  std::string preset;          ///< name of the preset chosen last
+  bool wants_presets = false;  ///< the list of presets is to open
+  std::string new_preset;      ///< name being typed
   /// The tool used last of each place on the toolbar.
   std::map<std::string, std::string> last_of_group;
   bool layers_open = false;  ///< the compact list of layers is open
-  float brush_height = 240;  ///< pixels the brush's panel took last
   /// Condition of 'select by value'.
   FilterCondition range;
   SelectionMode range_mode = SelectionMode::replace;

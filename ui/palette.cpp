@@ -55,11 +55,13 @@ void draw_entry(const UiContext& ui, const EditorCommand& command, bool lit, boo
 
 }  // namespace
 
-void draw_palette(const UiContext& ui) {
+namespace {
+
+/// Opens the palette's window in the upper middle; false when it is closed. `opening`: it was not open before.
+bool begin_palette(const UiContext& ui, bool& opening) {
   EditorState& state = ui.state;
-  if (!state.dialogs.palette) return;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const bool opening = !ImGui::IsPopupOpen("palette");
+  opening = !ImGui::IsPopupOpen("palette");
   if (opening) {
     ImGui::OpenPopup("palette");
     state.palette_text.clear();
@@ -71,20 +73,18 @@ void draw_palette(const UiContext& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.theme.px(10), ui.theme.px(10)));
   const bool shown = ImGui::BeginPopup("palette");
   ImGui::PopStyleVar();
-  if (!shown) {
-    state.dialogs.palette = false;
-    return;
-  }
-  if (opening) ImGui::SetKeyboardFocusHere();
-  ImGui::SetNextItemWidth(-1);
-  if (ImGui::InputTextWithHint("##find", "Type what you want to do", &state.palette_text)) state.palette_choice = 0;
-  const std::vector<const EditorCommand*> found = ui.commands.search(state.palette_text);
+  return shown;
+}
+
+/// The commands that were found; returns the one that was clicked, or chosen with the arrows and Enter.
+const EditorCommand* draw_found(const UiContext& ui, const std::vector<const EditorCommand*>& found) {
+  EditorState& state = ui.state;
   const bool down = take_key(state, DialogKey::down);
   const bool up = take_key(state, DialogKey::up);
   if (down) ++state.palette_choice;
   if (up) --state.palette_choice;
   state.palette_choice = found.empty() ? 0 : std::clamp(state.palette_choice, 0, int(found.size()) - 1);
-  const EditorCommand* run_now = nullptr;
+  const EditorCommand* wanted = nullptr;
   const bool enter = take_key(state, DialogKey::enter);
   ImGui::BeginChild("found");
   if (found.empty()) hint(ui.theme, "No command has these letters");
@@ -92,9 +92,26 @@ void draw_palette(const UiContext& ui) {
     const EditorCommand& command = *found[std::size_t(i)];
     bool chosen = false;
     draw_entry(ui, command, i == state.palette_choice, up || down, chosen);
-    if (chosen || (i == state.palette_choice && enter)) run_now = &command;
+    if (chosen || (i == state.palette_choice && enter)) wanted = &command;
   }
   ImGui::EndChild();
+  return wanted;
+}
+
+}  // namespace
+
+void draw_palette(const UiContext& ui) {
+  EditorState& state = ui.state;
+  if (!state.dialogs.palette) return;
+  bool opening = false;
+  if (!begin_palette(ui, opening)) {
+    state.dialogs.palette = false;
+    return;
+  }
+  if (opening) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::InputTextWithHint("##find", "Type what you want to do", &state.palette_text)) state.palette_choice = 0;
+  const EditorCommand* const run_now = draw_found(ui, ui.commands.search(state.palette_text));
   if (run_now != nullptr || take_key(state, DialogKey::escape)) {
     state.dialogs.palette = false;
     ImGui::CloseCurrentPopup();

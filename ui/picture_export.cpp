@@ -38,7 +38,8 @@ PictureView picture_view(const PictureOrder& order, int number) {
   view.options.brush.reset();
   if (!order.along_path()) return view;
   const double seconds = number / order.frames_a_second;
-  view.camera = kept_over_ground(camera_on_path(order.path, seconds), order.snapshot->terrain(), path_clearance);
+  view.camera = kept_over_ground(camera_on_path(order.path, seconds), order.snapshot->terrain(), path_clearance,
+                                 order.snapshot->hydrology.get());
   view.options.hour = hour_on_path(order.path, seconds, order.options.hour);
   view.options.seconds = order.options.seconds + seconds;
   return view;

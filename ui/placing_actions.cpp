@@ -237,11 +237,35 @@ PlacedThings shown_things(const EditorState& state) {
   return state.placing.preview ? *state.placing.preview : placed_things(state.document);
 }
 
+bool removes_thing(const EditorState& state) {
+  return state.tool == Tool::select && state.placing.selected && state.placing.line.empty();
+}
+
+bool follow_press(EditorState& state, PlacingView view, const std::optional<PathPoint>& at, const PointerButton& left) {
+  PlacingSession& placing = state.placing;
+  const bool holds_stop = state.herd_day.held_stop >= 0 && state.herd_day.grip == DayGrip::none;
+  const bool holds_thing = placing.held || placing.bend;
+  if (!holds_stop && !holds_thing && !placing.took_press) return false;
+  // Where the view of the press is gone, the other one lets go.
+  const bool forgotten = !left.down && !left.released;
+  if (placing.pressed_on != view && !forgotten) return true;
+  if (left.dragging && at && placing.pressed_on == view) {
+    if (holds_stop) drag_day(state, *at);
+    if (holds_thing) drag_placing(state, *at);
+  }
+  if (left.down) return holds_stop || holds_thing;
+  if (holds_stop) release_day(state);
+  if (holds_thing) release_placing(state);
+  placing.took_press = false;
+  return true;
+}
+
 void follow_document(EditorState& state) {
   PlacingSession& placing = state.placing;
   if (state.tool != Tool::select) {
     placing.tool = PlacingTool::none;
     placing.line.clear();
+    placing.selected.reset();
   }
   if (!placing.selected) return;
   const PlacedThings things = placed_things(state.document);

@@ -19,6 +19,17 @@ void finish_line(EditorState& state);
 bool cancel_placing(EditorState& state);
 /// Takes the last point off the line being drawn.
 void shorten_line(EditorState& state);
+/// Whether Delete means the selected thing, wherever the pointer is: while the select tool is in the hand and no line is drawn.
+[[nodiscard]] bool removes_thing(const EditorState& state);
+/// The left button, as this frame sees it.
+struct PointerButton {
+  bool down = false;
+  bool released = false;
+  bool dragging = false;
+};
+/// Goes on with what a press took hold of, on the view that was pressed: drags and, when the button is let go, finishes, also
+/// where the pointer is over no ground (`at` is nothing). True while the button belongs to placing.
+bool follow_press(EditorState& state, PlacingView view, const std::optional<PathPoint>& at, const PointerButton& left);
 /// Removes the selected thing.
 void remove_selected(EditorState& state);
 /// Adds a point to the selected line at a place.

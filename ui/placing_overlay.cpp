@@ -45,88 +45,57 @@ Stroked style_of(PlacedKind kind) {
   return {};
 }
 
-/// Draws a line piece by piece, so that one whose ends are out of sight still shows its middle.
+/// Draws what is placed with the pen of a view.
 class Painter {
  public:
-  Painter(const UiContext& ui, const ProjectCell& project) : ui_(ui), project_(project), list_(*ImGui::GetWindowDrawList()) {}
+  Painter(const UiContext& ui, const ViewPen& pen) : ui_(ui), pen_(pen), list_(*ImGui::GetWindowDrawList()) {}
 
-  void line(const std::vector<PathPoint>& points, const Stroked& style, bool closed, float emphasis = 1) const {
-    const std::size_t pieces = points.size() < 2 ? 0 : closed ? points.size() : points.size() - 1;
-    for (const bool under : {true, false}) {
-      float carried = 0;
-      for (std::size_t i = 0; i < pieces; ++i) {
-        const auto a = project_(points[i]);
-        const auto b = project_(points[(i + 1) % points.size()]);
-        if (!a || !b) continue;
-        const float width = ui_.theme.px(style.width * emphasis);
-        if (under) {
-          list_.AddLine(*a, *b, casing, width + ui_.theme.px(2));
-        } else if (style.dashed) {
-          carried = dashes(*a, *b, style.colour, width, carried);
-        } else {
-          list_.AddLine(*a, *b, style.colour, width);
-        }
-      }
-    }
+  void line(std::vector<PathPoint> points, const Stroked& style, bool closed, float emphasis = 1) const {
+    if (points.size() < 2) return;
+    if (closed) points.push_back(points.front());
+    pen_.line(points, {style.colour, style.width * emphasis, casing, 1, style.dashed});
   }
 
-  void circle(PathPoint at, float radius, const Stroked& style) const {
-    const auto centre = project_(at);
-    if (!centre || radius < ui_.theme.px(3)) return;
-    list_.AddCircle(*centre, radius, casing, 48, ui_.theme.px(style.width + 2));
-    list_.AddCircle(*centre, radius, style.colour, 48, ui_.theme.px(style.width));
+  void ring(PathPoint at, float radius, const Stroked& style) const {
+    pen_.line(ring_around(at, radius), {style.colour, style.width, casing, 1, false});
   }
 
   /// A small mark that tells the kind: a drop for water, a diamond for ways, a square for fords.
   void mark(PathPoint at, PlacedKind kind, bool selected) const {
-    const auto centre = project_(at);
+    const auto centre = pen_.place(at);
     if (!centre) return;
-    const Stroked style = style_of(kind);
+    const ImU32 colour = mark_colour(pen_, at, style_of(kind).colour);
+    const ImU32 edge = mark_colour(pen_, at, casing);
     const float r = ui_.theme.px(selected ? 7 : 5.5F);
-    const auto diamond = [&](float size, ImU32 colour) {
+    const auto diamond = [&](float size, ImU32 ink) {
       list_.AddQuadFilled(ImVec2(centre->x, centre->y - size), ImVec2(centre->x + size, centre->y),
-                          ImVec2(centre->x, centre->y + size), ImVec2(centre->x - size, centre->y), colour);
+                          ImVec2(centre->x, centre->y + size), ImVec2(centre->x - size, centre->y), ink);
     };
     if (kind == PlacedKind::waypoint || kind == PlacedKind::exit) {
-      diamond(r + ui_.theme.px(2.5F), casing);
-      diamond(r, style.colour);
+      diamond(r + ui_.theme.px(2.5F), edge);
+      diamond(r, colour);
     } else {
-      list_.AddCircleFilled(*centre, r + ui_.theme.px(1.5F), casing);
-      list_.AddCircleFilled(*centre, r, style.colour);
+      list_.AddCircleFilled(*centre, r + ui_.theme.px(1.5F), edge);
+      list_.AddCircleFilled(*centre, r, colour);
     }
     if (selected) list_.AddCircle(*centre, r + ui_.theme.px(4), IM_COL32(255, 255, 255, 230), 32, ui_.theme.px(1.5F));
   }
 
   void handle(PathPoint at, bool held) const {
-    const auto centre = project_(at);
+    const auto centre = pen_.place(at);
     if (!centre) return;
     const float r = ui_.theme.px(held ? 6 : 4.5F);
-    list_.AddCircleFilled(*centre, r + ui_.theme.px(1.5F), casing);
-    list_.AddCircleFilled(*centre, r, held ? colour_u32(ui_.theme.accent) : IM_COL32(255, 255, 255, 240));
+    list_.AddCircleFilled(*centre, r + ui_.theme.px(1.5F), mark_colour(pen_, at, casing));
+    list_.AddCircleFilled(*centre, r, mark_colour(pen_, at, held ? colour_u32(ui_.theme.accent) : IM_COL32(255, 255, 255, 240)));
   }
 
  private:
-  float dashes(ImVec2 a, ImVec2 b, ImU32 colour, float width, float carried) const {
-    const float dash = ui_.theme.px(7);
-    const float length = std::hypot(b.x - a.x, b.y - a.y);
-    if (length <= 0) return carried;
-    const ImVec2 step((b.x - a.x) / length, (b.y - a.y) / length);
-    for (float at = -carried; at < length; at += 2 * dash) {
-      const float from = std::max(at, 0.0F);
-      const float to = std::min(at + dash, length);
-      if (to <= from) continue;
-      list_.AddLine(ImVec2(a.x + step.x * from, a.y + step.y * from), ImVec2(a.x + step.x * to, a.y + step.y * to), colour,
-                    width);
-    }
-    return std::fmod(carried + length, 2 * dash);
-  }
-
   const UiContext& ui_;
-  const ProjectCell& project_;
+  const ViewPen& pen_;
   ImDrawList& list_;
 };
 
-void draw_things(const UiContext& ui, const Painter& painter, double pixels_per_metre) {
+void draw_things(const UiContext& ui, const Painter& painter) {
   const PlacingSession& placing = ui.state.placing;
   const PlacedThings things = shown_things(ui.state);
   for (int k = 0; k < placed_kinds; ++k) {
@@ -136,7 +105,7 @@ void draw_things(const UiContext& ui, const Painter& painter, double pixels_per_
       const bool selected = placing.selected == item;
       const std::vector<PathPoint> points = points_of(things, item);
       if (!is_line(kind)) {
-        painter.circle(points[0], float(double(radius_of(things, item)) * pixels_per_metre), style_of(kind));
+        painter.ring(points[0], float(double(radius_of(things, item)) / ui.state.document.terrain->cell_size), style_of(kind));
         painter.mark(points[0], kind, selected);
         continue;
       }
@@ -183,42 +152,29 @@ void handle_keys(EditorState& state) {
     return;
   if (!placing.line.empty() && (take(state, GLFW_KEY_ENTER) || take(state, GLFW_KEY_KP_ENTER))) finish_line(state);
   if (!placing.line.empty() && take(state, GLFW_KEY_BACKSPACE)) shorten_line(state);
-  if (placing.selected && placing.line.empty() && (take(state, GLFW_KEY_DELETE) || take(state, GLFW_KEY_BACKSPACE)))
-    remove_selected(state);
+  if (removes_thing(state) && (take(state, GLFW_KEY_DELETE) || take(state, GLFW_KEY_BACKSPACE))) remove_selected(state);
   if ((placing.busy() || placing.selected) && take(state, GLFW_KEY_ESCAPE)) cancel_placing(state);
 }
 
 }  // namespace
 
-void draw_placed(const UiContext& ui, const ProjectCell& project, double pixels_per_metre,
-                 const std::optional<PathPoint>& pointer) {
+void draw_placed(const UiContext& ui, const ViewPen& pen, const std::optional<PathPoint>& pointer) {
   if (!ui.state.has_document) return;
-  const Painter painter(ui, project);
-  draw_herd_day(ui, project);
-  draw_things(ui, painter, pixels_per_metre);
+  const Painter painter(ui, pen);
+  draw_herd_day(ui, pen);
+  draw_things(ui, painter);
   draw_in_progress(ui, painter, pointer);
 }
 
-bool handle_placing(const UiContext& ui, const std::optional<PathPoint>& at, float reach, bool hovered) {
+bool handle_placing(const UiContext& ui, PlacingView view, const std::optional<PathPoint>& at, float reach, bool hovered) {
   EditorState& state = ui.state;
   follow_document(state);
   if (!state.has_document) return false;
   PlacingSession& placing = state.placing;
   if (hovered) handle_keys(state);
-  if (state.herd_day.held_stop >= 0 && state.herd_day.grip == DayGrip::none && at) {
-    if (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 2)) drag_day(state, *at);
-    if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) release_day(state);
-    return true;
-  }
-  if ((placing.held || placing.bend) && at) {
-    if (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 2)) drag_placing(state, *at);
-    if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) release_placing(state);
-    return true;
-  }
-  if (placing.took_press && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-    placing.took_press = false;
-    return true;
-  }
+  const PointerButton left{ImGui::IsMouseDown(ImGuiMouseButton_Left), ImGui::IsMouseReleased(ImGuiMouseButton_Left),
+                           ImGui::IsMouseDragging(ImGuiMouseButton_Left, 2)};
+  if (follow_press(state, view, at, left)) return true;
   if (!hovered || !at || ImGui::GetIO().KeyAlt) return false;
   if (!placing.line.empty() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
     finish_line(state);
@@ -231,6 +187,7 @@ bool handle_placing(const UiContext& ui, const std::optional<PathPoint>& at, flo
   if (state.tool == Tool::select && placing.tool == PlacingTool::none && ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&
       press_day(state, *at, reach)) {
     placing.took_press = true;
+    placing.pressed_on = view;
     return true;
   }
   if (placing.tool == PlacingTool::none && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && placing.selected &&
@@ -240,6 +197,7 @@ bool handle_placing(const UiContext& ui, const std::optional<PathPoint>& at, flo
   }
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && press_placing(state, *at, reach)) {
     placing.took_press = true;
+    placing.pressed_on = view;
     return true;
   }
   return placing.tool != PlacingTool::none;

@@ -1,22 +1,19 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 
+#include "ui/placing_session.hpp"
+#include "ui/view_pen.hpp"
 #include "ui/widgets.hpp"
 
 namespace biotope {
 
-/// Where a place in cells is on the screen; nothing when it is out of sight.
-using ProjectCell = std::function<std::optional<ImVec2>(PathPoint)>;
-
 /// Draws rivers, lakes, trails, fords ... that a person placed, what is being drawn or moved, and the handles of the selected
-/// thing. `pixels_per_metre` scales the radii of fords and the like; `pointer` is the place under the pointer.
-void draw_placed(const UiContext& ui, const ProjectCell& project, double pixels_per_metre,
-                 const std::optional<PathPoint>& pointer);
+/// thing. `pointer` is the place under the pointer.
+void draw_placed(const UiContext& ui, const ViewPen& pen, const std::optional<PathPoint>& pointer);
 
 /// Handles the mouse for placing over a view; true while it belongs to placing. `hovered`: over the view; `at`: the place under
-/// the pointer.
-bool handle_placing(const UiContext& ui, const std::optional<PathPoint>& at, float reach, bool hovered);
+/// the pointer. A drag belongs to the view it began on, also where the pointer leaves it or the ground.
+bool handle_placing(const UiContext& ui, PlacingView view, const std::optional<PathPoint>& at, float reach, bool hovered);
 
 }  // namespace biotope

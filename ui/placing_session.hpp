@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -9,6 +10,9 @@ namespace biotope {
 
 /// What the next click on a view places; `none` leaves it to the chosen tool.
 enum class PlacingTool : std::uint8_t { none, inflow, river, lake, ford, exit, waypoint, pin_trail, forbid_trail, bend_trail };
+
+/// The views that one places on.
+enum class PlacingView : std::uint8_t { map, landscape };
 
 /// Placing and drawing in progress; nothing of it is in the document until it is finished.
 struct PlacingSession {
@@ -27,6 +31,8 @@ struct PlacingSession {
 
   /// The press that is still down was for placing.
   bool took_press = false;
+  /// The view that the press was made on: what it took hold of follows the pointer there and nowhere else.
+  PlacingView pressed_on = PlacingView::map;
 
   /// True while a click or drag on a view belongs to placing.
   [[nodiscard]] bool busy() const { return tool != PlacingTool::none || held || bend; }

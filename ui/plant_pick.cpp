@@ -88,10 +88,10 @@ bool has_plants(const MapsSnapshot& maps) { return maps.web && !maps.cover.empty
 
 }  // namespace
 
-PlantsAround::PlantsAround(const std::shared_ptr<const MapsSnapshot>& maps, const glm::dvec3& place, double reach,
+PlantsAround::PlantsAround(const PlantPlacement& placement, const glm::dvec3& place, double reach,
                            const std::vector<bool>& visible_species) {
-  if (!maps || !has_plants(*maps)) return;
-  const PlantPlacement placement(maps);
+  const MapsSnapshot* maps = placement.snapshot();
+  if (maps == nullptr || !has_plants(*maps)) return;
   const auto side = double(woody_block_side);
   const auto block_of = [&](double metres) { return int(std::floor(metres / side)); };
   for (int row = block_of(place.y - reach); row <= block_of(place.y + reach); ++row) {

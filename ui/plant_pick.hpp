@@ -21,7 +21,7 @@ struct PickedPlant {
 class PlantsAround {
  public:
   /// Those within about `reach` metres.
-  PlantsAround(const std::shared_ptr<const MapsSnapshot>& maps, const glm::dvec3& place, double reach,
+  PlantsAround(const PlantPlacement& placement, const glm::dvec3& place, double reach,
                const std::vector<bool>& visible_species = {});
   /// Whether none of them stands between two points, nor around the first.
   [[nodiscard]] bool free(const glm::dvec3& from, const glm::dvec3& to) const;

@@ -20,10 +20,10 @@ constexpr std::array<LevelCost, 3> costs{{{QualityLevel::ultra, 9}, {QualityLeve
 }  // namespace
 
 QualityLevel measured_level(std::span<const double> seconds_at_low, bool software) {
-  if (software || seconds_at_low.empty()) return QualityLevel::low;
+  if (seconds_at_low.empty()) return QualityLevel::low;
   const double quickest = *std::min_element(seconds_at_low.begin(), seconds_at_low.end());
   for (const LevelCost& cost : costs) {
-    if (quickest * cost.times_low * wanted_frames <= 1) return cost.level;
+    if (quickest * cost.times_low * wanted_frames(software) <= 1) return cost.level;
   }
   return QualityLevel::low;
 }
@@ -39,9 +39,9 @@ void draw_quality_setting(const UiContext& ui) {
   for (const QualityLevel level : {QualityLevel::medium, QualityLevel::high, QualityLevel::ultra}) {
     if (state.view.quality >= quality_factor(level)) now = quality_name(level);
   }
-  hint(ui.theme, state.view.software ? "Now: " + now + ". This machine draws with its processor; automatic is low here."
-                                     : "Now: " + now + ". Automatic: the highest that keeps " +
-                                           std::to_string(int(wanted_frames)) + " pictures a second, measured at start.");
+  const std::string frames = std::to_string(int(wanted_frames(state.view.software)));
+  hint(ui.theme, "Now: " + now + ". Automatic: the highest that keeps " + frames + " pictures a second" +
+                     (state.view.software ? " drawn by the processor" : "") + ", measured at start.");
 }
 
 void draw_figures(const UiContext& ui, ImVec2 corner, const DrawnFigures& figures) {
@@ -49,7 +49,7 @@ void draw_figures(const UiContext& ui, ImVec2 corner, const DrawnFigures& figure
   std::vector<std::string> lines{
       format_count(double(figures.plants)) + " plants, " + format_count(double(figures.animals)) + " animals",
       format_count(double(figures.triangles)) + " triangles in " + format_count(double(figures.draw_calls)) + " draw calls",
-      "plants in memory: " + format_bytes(figures.instance_bytes),
+      "plants and herds in memory: " + format_bytes(figures.instance_bytes) + " of " + format_bytes(figures.most_instance_bytes),
       std::to_string(figures.width) + " x " + std::to_string(figures.height) + " pixels, quality " +
           format_round_number(double(ui.state.view.quality))};
   if (figures.seconds > 0) {

@@ -6,10 +6,12 @@
 
 namespace biotope {
 
-inline constexpr double wanted_frames = 24;  ///< a second that a level must keep to be chosen
+/// Pictures a second that a level must keep to be chosen: what a graphics card is for, or what still looks like motion where the
+/// processor draws.
+[[nodiscard]] constexpr double wanted_frames(bool software) { return software ? 24 : 60; }
 
-/// The highest level that should keep `wanted_frames`, from what pictures at level low took (s each, the quickest counts). Never
-/// less than low; low where the processor draws.
+/// The highest level that should keep the wanted frames, from what pictures at level low took (s each, the quickest counts). Never
+/// less than low.
 [[nodiscard]] QualityLevel measured_level(std::span<const double> seconds_at_low, bool software);
 
 /// The choice of the level in the settings.
@@ -21,6 +23,7 @@ struct DrawnFigures {
   std::size_t triangles = 0;
   int draw_calls = 0;
   std::size_t instance_bytes = 0;
+  std::size_t most_instance_bytes = 0;
   int width = 0;
   int height = 0;
   double seconds = 0;  ///< of the last picture; 0: not known

@@ -26,47 +26,76 @@ float shade(float east_rise, float north_rise) {
   return 0.4F + 0.85F * std::max(glm::dot(normal, light), 0.0F);
 }
 
+/// A picture of fewer pixels than there are cells.
+class Sampling {
+ public:
+  Sampling(const Grid<float>& height, int side) : height_(height), longer_(std::max(height.width(), height.height())) {
+    width = std::max(1, int(std::lround(double(side) * height.width() / longer_)));
+    rows = std::max(1, int(std::lround(double(side) * height.height() / longer_)));
+    step = std::max(1, longer_ / std::max(side, 1));
+  }
+  /// The cell in the middle of a pixel.
+  [[nodiscard]] int column(int pixel) const { return cell(pixel, width, height_.width()); }
+  [[nodiscard]] int row(int pixel) const { return cell(pixel, rows, height_.height()); }
+  /// Lowest and highest of the cells that are seen.
+  [[nodiscard]] glm::vec2 range() const {
+    glm::vec2 range(height_(0, 0));
+    for (int y = 0; y < rows; ++y) {
+      for (int x = 0; x < width; ++x) {
+        const float here = height_(column(x), row(y));
+        range = {std::min(range.x, here), std::max(range.y, here)};
+      }
+    }
+    return range;
+  }
+
+  int width = 1;
+  int rows = 1;
+  int step = 1;  ///< cells from one pixel to the next
+
+ private:
+  static int cell(int pixel, int pixels, int cells) { return std::min(int((pixel + 0.5) * cells / pixels), cells - 1); }
+  const Grid<float>& height_;
+  int longer_;
+};
+
+/// Light on the ground around a cell, looked at `step` cells away.
+float shade_at(const Terrain& terrain, int x, int y, int step) {
+  const Grid<float>& height = terrain.height;
+  const int west = std::max(x - step, 0);
+  const int east = std::min(x + step, height.width() - 1);
+  const int north = std::max(y - step, 0);
+  const int south = std::min(y + step, height.height() - 1);
+  const auto metres = float(terrain.cell_size);
+  return shade((height(east, y) - height(west, y)) / (metres * float(std::max(east - west, 1))),
+               (height(x, north) - height(x, south)) / (metres * float(std::max(south - north, 1))));
+}
+
+/// What covers the ground at a cell, lit.
+glm::vec3 colour_at(const MapsSnapshot& maps, int x, int y, const glm::vec2& range, int step) {
+  const Grid<float>& height = maps.terrain().height;
+  const bool has_water = maps.hydrology && maps.hydrology->water_depth.width() == height.width();
+  if (has_water && maps.hydrology->water_depth(x, y) > seen_water) return {0.27F, 0.42F, 0.54F};
+  glm::vec3 colour = height_tint((height(x, y) - range.x) / std::max(range.y - range.x, 1.0F));
+  if (maps.tree_cover && maps.tree_cover->width() == height.width())
+    colour = glm::mix(colour, glm::vec3(0.24F, 0.33F, 0.20F), 0.75F * float(cover_fraction((*maps.tree_cover)(x, y))));
+  return colour * shade_at(maps.terrain(), x, y, step);
+}
+
 }  // namespace
 
 ReliefPicture make_relief_picture(const MapsSnapshot& maps, int side) {
-  const Grid<float>& height = maps.terrain().height;
-  const int longer = std::max(height.width(), height.height());
+  const Sampling sampling(maps.terrain().height, side);
+  const glm::vec2 range = sampling.range();
   ReliefPicture picture;
-  picture.width = std::max(1, int(std::lround(double(side) * height.width() / longer)));
-  picture.height = std::max(1, int(std::lround(double(side) * height.height() / longer)));
-  picture.rgba.resize(std::size_t(picture.width) * std::size_t(picture.height) * 4);
-  const auto cell = [&](int pixel, int pixels, int cells) { return std::min(int((pixel + 0.5) * cells / pixels), cells - 1); };
-  float low = height(0, 0);
-  float high = low;
+  picture.width = sampling.width;
+  picture.height = sampling.rows;
+  picture.rgba.reserve(std::size_t(picture.width) * std::size_t(picture.height) * 4);
   for (int y = 0; y < picture.height; ++y) {
     for (int x = 0; x < picture.width; ++x) {
-      const float here = height(cell(x, picture.width, height.width()), cell(y, picture.height, height.height()));
-      low = std::min(low, here);
-      high = std::max(high, here);
-    }
-  }
-  const int step = std::max(1, longer / std::max(side, 1));
-  const bool has_water = maps.hydrology && maps.hydrology->water_depth.width() == height.width();
-  const bool has_trees = maps.tree_cover && maps.tree_cover->width() == height.width();
-  for (int y = 0; y < picture.height; ++y) {
-    for (int x = 0; x < picture.width; ++x) {
-      const int cx = cell(x, picture.width, height.width());
-      const int cy = cell(y, picture.height, height.height());
-      const int west = std::max(cx - step, 0);
-      const int east = std::min(cx + step, height.width() - 1);
-      const int north = std::max(cy - step, 0);
-      const int south = std::min(cy + step, height.height() - 1);
-      const auto metres = float(maps.terrain().cell_size);
-      const float east_rise = (height(east, cy) - height(west, cy)) / (metres * float(std::max(east - west, 1)));
-      const float north_rise = (height(cx, north) - height(cx, south)) / (metres * float(std::max(south - north, 1)));
-      glm::vec3 colour = height_tint((height(cx, cy) - low) / std::max(high - low, 1.0F));
-      if (has_trees)
-        colour = glm::mix(colour, glm::vec3(0.24F, 0.33F, 0.20F), 0.75F * float(cover_fraction((*maps.tree_cover)(cx, cy))));
-      colour *= shade(east_rise, north_rise);
-      if (has_water && maps.hydrology->water_depth(cx, cy) > seen_water) colour = {0.27F, 0.42F, 0.54F};
-      std::uint8_t* pixel = &picture.rgba[(std::size_t(y) * std::size_t(picture.width) + std::size_t(x)) * 4];
-      for (int i = 0; i < 3; ++i) pixel[i] = std::uint8_t(std::clamp(colour[i], 0.0F, 1.0F) * 255 + 0.5F);
-      pixel[3] = 255;
+      const glm::vec3 colour = colour_at(maps, sampling.column(x), sampling.row(y), range, sampling.step);
+      for (int i = 0; i < 3; ++i) picture.rgba.push_back(std::uint8_t(std::clamp(colour[i], 0.0F, 1.0F) * 255 + 0.5F));
+      picture.rgba.push_back(255);
     }
   }
   return picture;

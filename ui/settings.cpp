@@ -78,41 +78,56 @@ std::string settings_to_json(const Settings& settings) {
   if (settings.animate) object["animate"] = *settings.animate;
   object["mini_map"] = settings.mini_map;
   object["history_megabytes"] = settings.history_megabytes;
+  object["autosave_seconds"] = settings.autosave_seconds;
   object["shortcuts"] = settings.shortcuts;
   return object.dump(2);
 }
 
-Settings settings_from_json(std::string_view text) {
-  Settings settings;
-  const json object = json::parse(text, nullptr, false);
-  if (!object.is_object()) return settings;
+namespace {
+
+/// Calls `take` with a member that is an object; anything else is passed over.
+template <class Take>
+void read_object(const json& object, const char* key, const Take& take) {
+  const auto found = object.find(key);
+  if (found != object.end() && found->is_object()) take(*found);
+}
+
+void read_window(const json& object, Settings& settings) {
+  read_object(object, "window", [&](const json& window) {
+    read(window, "width", settings.window_width);
+    read(window, "height", settings.window_height);
+    read(window, "maximized", settings.maximized);
+  });
+  settings.window_width = std::clamp(settings.window_width, 640, 16384);
+  settings.window_height = std::clamp(settings.window_height, 480, 16384);
+  read(object, "scale", settings.scale);
+  if (settings.scale != 0) settings.scale = std::clamp(settings.scale, 0.75F, 4.0F);
+}
+
+void read_recent(const json& object, Settings& settings) {
+  const auto recent = object.find("recent");
+  if (recent == object.end() || !recent->is_array()) return;
+  for (const json& file : *recent) {
+    if (file.is_string() && settings.recent.size() < most_recent_files) settings.recent.push_back(file.get<std::string>());
+  }
+}
+
+void read_brush(const json& object, Brush& brush) {
+  read_object(object, "brush", [&](const json& own) {
+    read(own, "radius", brush.radius);
+    read(own, "strength", brush.strength);
+    read(own, "hardness", brush.hardness);
+  });
+  brush.radius = std::clamp(brush.radius, 1.0F, 1000.0F);
+  brush.strength = std::clamp(brush.strength, 0.01F, 1.0F);
+  brush.hardness = std::clamp(brush.hardness, 0.0F, 1.0F);
+}
+
+/// How the landscape is shown.
+void read_look(const json& object, Settings& settings) {
   std::string theme = "dark";
   read(object, "theme", theme);
   settings.dark = theme != "light";
-  read(object, "scale", settings.scale);
-  if (settings.scale != 0) settings.scale = std::clamp(settings.scale, 0.75F, 4.0F);
-  if (const auto window = object.find("window"); window != object.end() && window->is_object()) {
-    read(*window, "width", settings.window_width);
-    read(*window, "height", settings.window_height);
-    read(*window, "maximized", settings.maximized);
-  }
-  settings.window_width = std::clamp(settings.window_width, 640, 16384);
-  settings.window_height = std::clamp(settings.window_height, 480, 16384);
-  if (const auto recent = object.find("recent"); recent != object.end() && recent->is_array()) {
-    for (const json& file : *recent) {
-      if (file.is_string() && settings.recent.size() < most_recent_files) settings.recent.push_back(file.get<std::string>());
-    }
-  }
-  read(object, "last_folder", settings.last_folder);
-  if (const auto brush = object.find("brush"); brush != object.end() && brush->is_object()) {
-    read(*brush, "radius", settings.brush.radius);
-    read(*brush, "strength", settings.brush.strength);
-    read(*brush, "hardness", settings.brush.hardness);
-  }
-  settings.brush.radius = std::clamp(settings.brush.radius, 1.0F, 1000.0F);
-  settings.brush.strength = std::clamp(settings.brush.strength, 0.01F, 1.0F);
-  settings.brush.hardness = std::clamp(settings.brush.hardness, 0.0F, 1.0F);
-  read(object, "first_steps_closed", settings.first_steps_closed);
   read(object, "contours", settings.contours);
   read(object, "overlay_opacity", settings.overlay_opacity);
   settings.overlay_opacity = std::clamp(settings.overlay_opacity, 0.0F, 1.0F);
@@ -121,18 +136,33 @@ Settings settings_from_json(std::string_view text) {
   for (std::size_t i = 0; i < quality_levels.size(); ++i) {
     if (quality_levels[i].first == level) settings.quality_level = QualityLevel(i);
   }
-  if (const auto weather = object.find("weather"); weather != object.end() && weather->is_object())
-    settings.weather = weather_of(*weather);
+  read_object(object, "weather", [&](const json& weather) { settings.weather = weather_of(weather); });
   if (const auto animate = object.find("animate"); animate != object.end() && animate->is_boolean())
     settings.animate = animate->get<bool>();
   read(object, "mini_map", settings.mini_map);
+}
+
+}  // namespace
+
+Settings settings_from_json(std::string_view text) {
+  Settings settings;
+  const json object = json::parse(text, nullptr, false);
+  if (!object.is_object()) return settings;
+  read_window(object, settings);
+  read_recent(object, settings);
+  read_brush(object, settings.brush);
+  read_look(object, settings);
+  read(object, "last_folder", settings.last_folder);
+  read(object, "first_steps_closed", settings.first_steps_closed);
   read(object, "history_megabytes", settings.history_megabytes);
   settings.history_megabytes = std::clamp(settings.history_megabytes, 64, 65536);
-  if (const auto shortcuts = object.find("shortcuts"); shortcuts != object.end() && shortcuts->is_object()) {
-    for (const auto& [id, keys] : shortcuts->items()) {
+  read(object, "autosave_seconds", settings.autosave_seconds);
+  settings.autosave_seconds = std::clamp(settings.autosave_seconds, 1.0F, 600.0F);
+  read_object(object, "shortcuts", [&](const json& shortcuts) {
+    for (const auto& [id, keys] : shortcuts.items()) {
       if (keys.is_string()) settings.shortcuts[id] = keys.get<std::string>();
     }
-  }
+  });
   return settings;
 }
 

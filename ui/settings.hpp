@@ -44,6 +44,7 @@ struct Settings {
   std::optional<bool> animate;
   bool mini_map = true;
   int history_megabytes = 1024;  ///< memory that undo may take
+  float autosave_seconds = 20;   ///< after which unsaved work is copied; with the time to write it, a crash costs little more
   /// Shortcuts that replace a command's own, by the command's id.
   std::map<std::string, std::string> shortcuts;
 };

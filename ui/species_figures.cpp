@@ -77,7 +77,7 @@ ShortageMaps shortage_maps(const MapsSnapshot& snapshot) {
         if (shortage.species == level->species[i]) short_regions.insert(shortage.region);
       }
       if (short_regions.empty()) continue;
-      const Grid<std::int32_t>& label = level->regions[i]->label;
+      const RunMap& label = level->regions[i]->label;
       auto layer = std::make_shared<PaintLayer>(label.width(), label.height());
       for (int y = 0; y < label.height(); ++y) {
         for (int x = 0; x < label.width(); ++x) {

@@ -58,6 +58,13 @@ std::string value_text(const EditorState& state) {
   return entry.title + ": " + format_value(value, entry.unit);
 }
 
+/// Says what cannot be seen: a brush that reaches beyond the 3D picture on all sides.
+std::string ring_text(const EditorState& state) {
+  if (!state.exploring.ring_out_of_sight || !state.document.terrain) return {};
+  return "the brush reaches " + format_length(double(state.brush.radius) * state.document.terrain->cell_size) +
+         " around, wider than this view";
+}
+
 std::string work_text(const EditorState& state) {
   if (state.loading.running()) return "Opening: " + state.loading.stage();
   if (!state.worker) return {};
@@ -101,6 +108,11 @@ void draw_status_bar(const UiContext& ui, ImVec2 size) {
   if (!value.empty()) {
     ImGui::SameLine(0, theme.px(18));
     ImGui::TextColored(theme.accent, "%s", value.c_str());
+  }
+  const std::string ring = ring_text(state);
+  if (!ring.empty()) {
+    ImGui::SameLine(0, theme.px(18));
+    ImGui::TextColored(theme.attention, "%s", ring.c_str());
   }
   RightAligned place{size.x - theme.px(10)};
   if (state.frame_seconds > 0 && (state.clock.playing || state.painting.stroking())) {

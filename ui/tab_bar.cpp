@@ -11,12 +11,16 @@ namespace {
 constexpr const char* tab_icons[tab_count] = {icons::mountain, icons::thermometer, icons::leaf,
                                               icons::paw,      icons::road,        icons::project};
 
-void draw_tab(const UiContext& ui, Tab tab, bool with_icons) {
+/// What a tab shows of itself in the room there is.
+enum class TabFace : std::uint8_t { icon, name, both };
+
+void draw_tab(const UiContext& ui, Tab tab, TabFace face) {
   EditorState& state = ui.state;
   const Theme& theme = ui.theme;
   const bool chosen = state.view.tab == tab;
   std::string label(tab_title(tab));
-  if (theme.has_icons && with_icons) label = std::string(tab_icons[std::size_t(tab)]) + "  " + label;
+  if (theme.has_icons && face == TabFace::both) label = std::string(tab_icons[std::size_t(tab)]) + "  " + label;
+  if (theme.has_icons && face == TabFace::icon) label = std::string(tab_icons[std::size_t(tab)]) + "##" + label;
   ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
   ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme.text : theme.muted);
   if (ImGui::Button(label.c_str())) state.view.tab = tab;
@@ -129,11 +133,12 @@ void draw_progress_line(const UiContext& ui, ImVec2 size) {
 
 void draw_tab_bar(const UiContext& ui, ImVec2 size) {
   const bool roomy = size.x > ui.theme.px(880);
+  const TabFace face = roomy ? TabFace::both : size.x > ui.theme.px(640) ? TabFace::name : TabFace::icon;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.theme.px(roomy ? 4 : 0), 0));
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.theme.px(roomy ? 9 : 7), ui.theme.px(5)));
   for (int tab = 0; tab < tab_count; ++tab) {
     if (tab > 0) ImGui::SameLine();
-    draw_tab(ui, Tab(tab), roomy);
+    draw_tab(ui, Tab(tab), face);
   }
   ImGui::SameLine();
   const float eye = ui.theme.px(36);

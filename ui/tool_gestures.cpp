@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/pipeline/edit_grounds.hpp"
 #include "ui/edit_actions.hpp"
@@ -41,8 +42,12 @@ float final_at(EditorState& state, const LayerId& layer, PathPoint at) {
 }
 
 FillEdit fill_edit(const EditorState& state) {
-  const Brush brush = brush_of_tool(state);
-  return {edit_targets(state, brush), brush, std::nullopt, std::nullopt};
+  Brush brush = brush_of_tool(state);
+  // A fill takes each cell's value from the same place.
+  brush.clone_offset = {};
+  std::optional<LayerId> from;
+  if (brush.mode == BrushMode::clone) from = state.paint.clone_from ? state.paint.clone_from : paint_target(state);
+  return {edit_targets(state, brush), brush, from, std::nullopt};
 }
 
 void fill(EditorState& state) {
@@ -167,6 +172,24 @@ void pick_value(EditorState& state, PathPoint cell) {
                                ? geology_names()[std::size_t(std::clamp(int(value), 0, geology_classes - 1))]
                                : format_value(value, limits_of(state, *layer).unit);
   announce(state, "The brush now holds " + text);
+}
+
+void restore_here(EditorState& state) {
+  const std::optional<LayerId> layer = paint_target(state);
+  const Tool before = std::exchange(state.tool, Tool::fill);
+  const BrushMode mode = std::exchange(state.paint.fill_mode, BrushMode::restore_computed);
+  const float strength = std::exchange(state.paint.fill_strength, 1.0F);
+  const std::uint64_t edits = state.edits;
+  const std::uint64_t strokes = state.paint.strokes;
+  fill(state);
+  state.tool = before;
+  state.paint.fill_mode = mode;
+  state.paint.fill_strength = strength;
+  const bool asked = state.paint.strokes != strokes;
+  if (!asked || !layer || (state.edits == edits && state.pending.waiting.empty())) return;
+  const bool everywhere = !state.document.selection && state.brush.filter.conditions.empty();
+  announce(state, (everywhere ? "All paint of " : "The paint here of ") + layer_title(*layer, state.web()) +
+                      " was taken off. Ctrl+Z takes it back");
 }
 
 void select_shape(EditorState& state, SelectEdit::Shape shape) {

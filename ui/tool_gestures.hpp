@@ -28,6 +28,8 @@ void cancel_tool(EditorState& state);
 
 /// Takes the value under the pointer for the brush.
 void pick_value(EditorState& state, PathPoint cell);
+/// Takes the paint off the layer that is looked at, where selection and filter let it, and says so.
+void restore_here(EditorState& state);
 /// Selects everything, nothing, or the inverse.
 void select_shape(EditorState& state, SelectEdit::Shape shape);
 

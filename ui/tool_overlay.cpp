@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/brush_marks.hpp"
 #include "ui/editor_actions.hpp"
 #include "ui/gesture_overlay.hpp"
 #include "ui/paint_targets.hpp"
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double outline_pixels = 2;  // blocks of the outline and the film on the screen
 constexpr double film_pixels = 4;
+constexpr double locked_pixels = 6;
 constexpr std::size_t most_dashed = 3000;  // pieces; more are drawn plain
 
 constexpr ImU32 shadow = IM_COL32(0, 0, 0, 150);
@@ -53,15 +55,6 @@ void draw_cross(ImDrawList& list, const Theme& theme, ImVec2 at) {
   const float arm = theme.px(7);
   two_tone_line(list, theme, ImVec2(at.x - arm, at.y), ImVec2(at.x + arm, at.y));
   two_tone_line(list, theme, ImVec2(at.x, at.y - arm), ImVec2(at.x, at.y + arm));
-}
-
-/// Where 'clone' takes its values from while the pointer is at a cell.
-std::optional<PathPoint> clone_source(const EditorState& state, PathPoint cell) {
-  if (state.tool != Tool::clone) return std::nullopt;
-  if (state.paint.clone_at) return state.paint.clone_at;
-  const PathPoint offset = state.paint.clone_offset;
-  if (offset == PathPoint{}) return std::nullopt;
-  return PathPoint{cell.x + offset.x, cell.y + offset.y};
 }
 
 bool same_maps(const FilterMaps& a, const FilterMaps& b) {
@@ -123,15 +116,45 @@ void ToolOverlay::draw_film(const UiContext& ui, ImVec2 origin, PixelPoint canva
   }
 }
 
+void ToolOverlay::draw_locked(const UiContext& ui, ImVec2 origin, PixelPoint canvas) {
+  const EditorState& state = ui.state;
+  const auto& mask = state.document.locked_area;
+  if (!mask) return;
+  const MapView& view = state.view.map;
+  if (!locked_.same(view, canvas, mask)) {
+    locked_ = {view, canvas, mask};
+    locked_film_ = runs_of(*mask, visible_cells(view, canvas, mask->rect()), block_cells(view, locked_pixels));
+  }
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ToScreen screen{view, canvas, origin};
+  const float stripe = std::round(ui.theme.px(11));
+  const float width = 0.25F * stripe;
+  for (const FilmRun& run : locked_film_) {
+    const ImVec2 from = screen(run.cells.x0 - 0.5, run.cells.y0 - 0.5);
+    const ImVec2 to = screen(run.cells.x1 - 0.5, run.cells.y1 - 0.5);
+    list.AddRectFilled(from, to, IM_COL32(70, 84, 110, 26 * run.level));
+    // Slanted stripes, in step with the screen so that those of runs that meet go on.
+    const auto inside = [&](float x, float y) { return ImVec2(std::clamp(x, from.x, to.x), y); };
+    for (float at = std::floor((from.x + from.y) / stripe) * stripe; at < to.x + to.y; at += stripe) {
+      const ImVec2 corners[] = {inside(at - from.y, from.y), inside(at + width - from.y, from.y), inside(at + width - to.y, to.y),
+                                inside(at - to.y, to.y)};
+      if (corners[1].x <= corners[3].x) continue;
+      list.AddQuadFilled(corners[0], corners[1], corners[2], corners[3], IM_COL32(225, 232, 242, 26 * run.level));
+    }
+  }
+}
+
 void ToolOverlay::draw(const UiContext& ui, ImVec2 origin, PixelPoint canvas) {
   const EditorState& state = ui.state;
   if (!state.document.terrain) return;
+  draw_locked(ui, origin, canvas);
   draw_film(ui, origin, canvas);
   draw_selection(ui, origin, canvas);
   const ToScreen screen{state.view.map, canvas, origin};
   if (state.gesture) {
-    const ScreenPlace place = [&](PathPoint cell) { return screen(cell.x, cell.y); };
-    draw_gesture(*ImGui::GetWindowDrawList(), ui.theme, *state.gesture, place, float(state.document.terrain->height.width()));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ScreenPlace place = [&](PathPoint cell) { return screen(double(cell.x), double(cell.y)); };
+    draw_gesture(list, ui.theme, *state.gesture, flat_pen(list, ui.theme, place));
   }
 }
 
@@ -146,10 +169,8 @@ void ToolOverlay::draw_cursor(const UiContext& ui, ImVec2 origin, PixelPoint can
   }
   const ToScreen screen{state.view.map, canvas, origin};
   const PathPoint cell = cell_at(state.view.map, canvas, pixel);
-  if (ImGui::GetIO().KeyShift && state.paint.last_point && !state.painting.stroking()) {
-    two_tone_line(list, theme, screen(state.paint.last_point->x, state.paint.last_point->y), centre);
-  }
-  if (const auto source = clone_source(state, cell)) draw_cross(list, theme, screen(source->x, source->y));
+  const ScreenPlace place = [&](PathPoint at) { return screen(double(at.x), double(at.y)); };
+  draw_brush_marks(list, theme, state, flat_pen(list, theme, place), cell);
   const float radius = float(state.brush.radius * state.view.map.pixels_per_cell);
   const bool able = paint_hindrance(state).empty();
   const ImU32 ring = able ? IM_COL32(255, 255, 255, 230) : IM_COL32(255, 180, 60, 230);

@@ -8,8 +8,8 @@
 
 namespace biotope {
 
-/// What tools draw over the 2D map: the selection's outline, where the brush may not act, the gesture in progress, the brush's
-/// ring.
+/// What tools draw over the 2D map: the selection's outline, where the brush may not act, what is locked, the gesture in
+/// progress, the brush's ring.
 class ToolOverlay {
  public:
   /// Between the picture and the pointer; `origin` is the canvas' upper left corner on the screen.
@@ -20,6 +20,7 @@ class ToolOverlay {
  private:
   void draw_selection(const UiContext& ui, ImVec2 origin, PixelPoint canvas);
   void draw_film(const UiContext& ui, ImVec2 origin, PixelPoint canvas);
+  void draw_locked(const UiContext& ui, ImVec2 origin, PixelPoint canvas);
 
   /// What the outline and the film were made of.
   struct View {
@@ -34,6 +35,8 @@ class ToolOverlay {
   BrushFilter film_filter_;
   FilterMaps film_maps_;
   std::vector<FilmRun> film_;
+  View locked_;
+  std::vector<FilmRun> locked_film_;
 };
 
 }  // namespace biotope

@@ -163,7 +163,7 @@ bool advance_path(EditorState& state, double seconds) {
     state.pictures.playing = -1;
     return false;
   }
-  state.view.camera = kept_over_ground(camera_on_path(path, state.pictures.playing), ground_of(state));
+  state.view.camera = kept_over_ground(camera_on_path(path, state.pictures.playing), ground_of(state), 1.5, water_of(state));
   state.clock.hour = hour_on_path(path, state.pictures.playing, state.clock.hour);
   return true;
 }

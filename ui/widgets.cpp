@@ -3,6 +3,9 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <set>
 
 namespace biotope {
 namespace {
@@ -22,7 +25,7 @@ void tooltip(const Theme& theme, std::string_view words, std::string_view keys) 
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(theme.px(8), theme.px(6)));
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(theme.px(300));
-  text(words);
+  text(unbroken(words));
   ImGui::PopTextWrapPos();
   if (!keys.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, theme.muted);
@@ -70,33 +73,97 @@ void heading(const Theme& theme, std::string_view words) {
   ImGui::PopFont();
 }
 
-void hint(const Theme& theme, std::string_view words) {
-  ImGui::PushStyleColor(ImGuiCol_Text, theme.muted);
+std::string unbroken(std::string_view words) {
+  static constexpr std::string_view hard_space = "\xc2\xa0";
+  const auto digit = [&](std::size_t at) { return at < words.size() && words[at] >= '0' && words[at] <= '9'; };
+  const auto goes_on = [&](std::size_t at) {
+    // Digits, a percent sign, or a unit: one to four letters such as "m", "km", "kg/yr".
+    if (digit(at) || (at < words.size() && words[at] == '%')) return true;
+    std::size_t letters = 0;
+    while (at + letters < words.size() && std::isalpha(static_cast<unsigned char>(words[at + letters])) != 0) ++letters;
+    const char after = at + letters < words.size() ? words[at + letters] : ' ';
+    static const std::set<std::string_view> units{"m", "km", "mm",  "ha", "kg",  "t",   "h",
+                                                  "s", "ms", "fps", "B",  "KiB", "MiB", "GiB"};
+    return after == '/' || units.contains(words.substr(at, letters));
+  };
+  std::string result;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const bool between = words[i] == ' ' && i > 0 && digit(i - 1) && goes_on(i + 1);
+    if (between) {
+      result += hard_space;
+    } else {
+      result += words[i];
+    }
+  }
+  return result;
+}
+
+void wrapped(const ImVec4& colour, std::string_view words) {
+  ImGui::PushStyleColor(ImGuiCol_Text, colour);
   ImGui::PushTextWrapPos(0);
-  text(words);
+  text(unbroken(words));
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
 }
 
+void hint(const Theme& theme, std::string_view words) { wrapped(theme.muted, words); }
+
 void readout(const Theme& theme, std::string_view name, std::string_view value) {
+  const float room = ImGui::GetContentRegionAvail().x;
+  const float wanted = ImGui::CalcTextSize(value.data(), value.data() + value.size()).x;
+  const float named = ImGui::CalcTextSize(name.data(), name.data() + name.size()).x;
   ImGui::PushStyleColor(ImGuiCol_Text, theme.muted);
-  text(name);
+  text(fitted_text(name, room));
   ImGui::PopStyleColor();
-  const float width = ImGui::CalcTextSize(value.data(), value.data() + value.size()).x;
-  const float right = ImGui::GetContentRegionMax().x - width;
-  ImGui::SameLine(std::max(right, ImGui::GetItemRectSize().x + theme.px(16)));
-  text(value);
+  const std::string shown = fitted_text(value, room);
+  const float right = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(shown.c_str()).x;
+  if (named + theme.px(10) + wanted <= room) {
+    ImGui::SameLine(right);
+  } else {
+    ImGui::SetCursorPosX(right);
+  }
+  text(shown);
 }
+
+namespace {
+
+/// Where a value lies between the ends of its slider, 0..1.
+float share_of(float value, float least, float most, bool logarithmic) {
+  const bool by_ratio = logarithmic && least > 0 && value > 0;
+  const float share = by_ratio ? std::log(value / least) / std::log(most / least) : (value - least) / (most - least);
+  return std::isfinite(share) ? std::clamp(share, 0.0F, 1.0F) : 0;
+}
+
+}  // namespace
 
 bool labelled_slider(const Theme& theme, const char* name, float& value, float least, float most, const std::string& shown,
                      bool logarithmic) {
-  readout(theme, name, shown);
   ImGui::PushID(name);
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(theme.px(4), theme.px(1)));
   ImGui::SetNextItemWidth(-1);
+  for (const ImGuiCol part : {ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive}) ImGui::PushStyleColor(part, ImVec4(0, 0, 0, 0));
   const bool changed = ImGui::SliderFloat("##slider", &value, least, most, "", logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
-  ImGui::PopStyleVar();
+  ImGui::PopStyleColor(2);
+  const ImVec2 low = ImGui::GetItemRectMin();
+  const ImVec2 high = ImGui::GetItemRectMax();
+  // While a number is typed the field shows it.
+  const bool typing = ImGui::TempInputIsActive(ImGui::GetItemID());
   ImGui::PopID();
+  if (typing) return changed;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const bool lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
+  const float end = low.x + (high.x - low.x) * share_of(value, least, most, logarithmic);
+  const float alpha = ImGui::GetStyle().Alpha;
+  list.PushClipRect(low, ImVec2(end, high.y), true);
+  list.AddRectFilled(low, high, colour_u32(with_alpha(theme.accent, (lit ? 0.55F : 0.42F) * alpha)), theme.px(4));
+  list.PopClipRect();
+  const float inset = theme.px(8);
+  const float top = low.y + (high.y - low.y - ImGui::GetFontSize()) / 2;
+  const float room = high.x - low.x - 2 * inset;
+  const std::string words = fitted_text(shown, room);
+  const float width = ImGui::CalcTextSize(words.c_str()).x;
+  list.AddText(ImVec2(low.x + inset, top), colour_u32(with_alpha(theme.text, 0.86F * alpha)),
+               fitted_text(name, room - width - theme.px(10)).c_str());
+  list.AddText(ImVec2(high.x - inset - width, top), colour_u32(with_alpha(theme.text, alpha)), words.c_str());
   return changed;
 }
 

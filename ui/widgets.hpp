@@ -30,11 +30,16 @@ void command_menu_item(const UiContext& ui, std::string_view id);
 
 /// A quiet title over a group of controls.
 void heading(const Theme& theme, std::string_view text);
+/// Text for wrapped lines: a number stays on the line of its unit and of its groups of digits.
+[[nodiscard]] std::string unbroken(std::string_view text);
+/// Text that wraps at the window's edge, in a colour.
+void wrapped(const ImVec4& colour, std::string_view text);
 /// Grey text that wraps.
 void hint(const Theme& theme, std::string_view text);
-/// A name on the left in grey and a value at the right edge.
+/// A name on the left in grey and a value at the right edge; on a line of its own where both do not fit.
 void readout(const Theme& theme, std::string_view name, std::string_view value);
-/// A slider with its name above and its value at the right; true while it changes.
+/// A slider as a bar that is filled up to the value, with its name and what the value says in it; true while it changes.
+/// Ctrl+click lets one type the number.
 bool labelled_slider(const Theme& theme, const char* name, float& value, float least, float most, const std::string& shown,
                      bool logarithmic = false);
 /// A row of exclusive choices; true when `chosen` changed.

@@ -19,7 +19,7 @@ Status IlluminationState::restart(const Terrain& terrain, const Derivatives& der
   std::array<std::shared_ptr<Grid<float>>, 12> made;
   std::array<Grid<float>*, 12> out{};
   parallel_each(12, [&](std::size_t month) {
-    made[month] = std::make_shared<Grid<float>>(width, height);
+    made[month] = std::make_shared<Grid<float>>(Grid<float>::shareable(width, height));
     out[month] = made[month].get();
   });
   const TileSet all = TileSet::all(width, height);
@@ -78,7 +78,7 @@ void IlluminationState::release_unused() {
 }
 
 void TemperatureState::restart(const Terrain& terrain, const Climate& climate) {
-  auto layer = std::make_shared<Grid<float>>(terrain.height.width(), terrain.height.height());
+  auto layer = std::make_shared<Grid<float>>(Grid<float>::shareable(terrain.height.width(), terrain.height.height()));
   parallel_rows(0, layer->height(), [&](int y) {
     temperature_of_heights(terrain, climate, {0, y, layer->width(), y + 1}, *layer);
   });

@@ -43,9 +43,9 @@ Status SoilState::restart(const Terrain& terrain, const Derivatives& derivatives
   }
   context.report("soil", 0);
   hollow_ = hollows(terrain);
-  auto moisture = std::make_shared<Grid<float>>(width, height);
-  auto texture = std::make_shared<Grid<float>>(width, height);
-  auto geology = std::make_shared<Grid<Geology>>(width, height);
+  auto moisture = std::make_shared<Grid<float>>(Grid<float>::shareable(width, height));
+  auto texture = std::make_shared<Grid<float>>(Grid<float>::shareable(width, height));
+  auto geology = std::make_shared<Grid<Geology>>(Grid<Geology>::shareable(width, height));
   const SoilInput input{derivatives, hydrology, hollow_, *moisture};
   parallel_rows(0, height, [&](int y) {
     SoilCells{*moisture, *texture, *geology}.make(input, spread_, climate, {0, y, width, y + 1});

@@ -105,7 +105,8 @@ Rect Stroke::dab(Document& document, const Brush& brush, float x, float y, float
   const Rect area = intersection(map.rect(), shape.reach());
   if (area.empty()) return {};
   const auto selection = document.selection;
-  const CellFilter filter(brush.filter, maps_, selection.get());
+  const auto locked_area = document.locked_area;
+  const CellFilter filter(brush.filter, maps_, selection.get(), locked_area.get());
   const std::vector<TileWeights> tiles = dab_weights(map, area, shape, filter);
   Rect changed;
   for (std::size_t i = 0; i < targets_.size(); ++i) {

@@ -58,8 +58,9 @@ const Grid<float>* filter_map(const FilterCondition& condition, const FilterMaps
   return found == maps.values.end() ? nullptr : found->second.get();
 }
 
-CellFilter::CellFilter(const BrushFilter& filter, const FilterMaps* maps, const SelectionMask* selection)
-    : selection_(filter.use_selection ? selection : nullptr) {
+CellFilter::CellFilter(const BrushFilter& filter, const FilterMaps* maps, const SelectionMask* selection,
+                       const SelectionMask* locked_area)
+    : selection_(filter.use_selection ? selection : nullptr), locked_area_(locked_area) {
   if (maps == nullptr) return;
   for (const FilterCondition& condition : filter.conditions) {
     if (const Grid<float>* values = filter_map(condition, *maps)) parts_.push_back({&condition, values});
@@ -68,6 +69,7 @@ CellFilter::CellFilter(const BrushFilter& filter, const FilterMaps* maps, const 
 
 float CellFilter::operator()(int x, int y) const {
   float weight = selected(selection_, x, y);
+  if (locked_area_ != nullptr) weight *= 1 - locked_share(locked_area_, x, y);
   for (const Part& part : parts_) {
     if (weight <= 0) return 0;
     weight *= condition_weight(*part.condition, (*part.values)(x, y));

@@ -30,7 +30,8 @@ struct FilterCondition {
   bool operator==(const FilterCondition&) const = default;
 };
 
-/// Where a brush or a fill may act: the product of its conditions and of the document's selection.
+/// Where a brush or a fill may act: the product of its conditions and of the document's selection. What the document's locked
+/// area leaves is a factor of every filter.
 struct BrushFilter {
   std::vector<FilterCondition> conditions{};
   bool use_selection = true;
@@ -53,11 +54,13 @@ struct FilterMaps {
 /// Weight 0..1 that a filter leaves to a cell; the product of its conditions, without the selection.
 [[nodiscard]] float filter_weight(const BrushFilter& filter, const FilterMaps& maps, int x, int y);
 
-/// A filter made ready for many cells: maps are looked up once. The filter, maps and selection must outlive it.
+/// A filter made ready for many cells: maps are looked up once. The filter, maps and masks must outlive it.
 class CellFilter {
  public:
-  /// `maps` may be null: then the conditions let everything pass. `selection` counts when the filter asks for it.
-  CellFilter(const BrushFilter& filter, const FilterMaps* maps, const SelectionMask* selection);
+  /// `maps` may be null: then the conditions let everything pass. `selection` counts when the filter asks for it, `locked_area`
+  /// always.
+  CellFilter(const BrushFilter& filter, const FilterMaps* maps, const SelectionMask* selection,
+             const SelectionMask* locked_area = nullptr);
   /// Weight 0..1 of a cell.
   [[nodiscard]] float operator()(int x, int y) const;
   /// True when nothing of a tile (numbered as in TiledMap) is selected.
@@ -70,6 +73,7 @@ class CellFilter {
   };
   std::vector<Part> parts_;
   const SelectionMask* selection_;
+  const SelectionMask* locked_area_;
 };
 
 /// The map that a condition looks at; null when it is missing.

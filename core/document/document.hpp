@@ -65,6 +65,8 @@ struct Document {
   std::map<LayerId, LayerState> layer_states;
   /// Where edits act; null: everywhere.
   std::shared_ptr<const SelectionMask> selection;
+  /// Where no edit changes paint, whatever is selected; null: nowhere.
+  std::shared_ptr<const SelectionMask> locked_area;
   Placements placements;
   GivenEnvironment given_environment;
   /// What a person calls it.

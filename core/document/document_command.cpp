@@ -129,9 +129,10 @@ void visit_replaced(const Document& one, const Document& other, const BlockVisit
 
 class DocumentCommand::RasterChanges {
  public:
-  /// Takes the layers and the selection out of both documents.
+  /// Takes the layers and the masks out of both documents.
   RasterChanges(Document& before, Document& after) {
     if (before.selection != after.selection) selection_.emplace(before.selection, after.selection);
+    if (before.locked_area != after.locked_area) locked_area_.emplace(before.locked_area, after.locked_area);
     const auto layer_of = [](const Document& document, const LayerId& id) {
       const auto found = document.layers.find(id);
       return found == document.layers.end() ? nullptr : found->second;
@@ -146,14 +147,16 @@ class DocumentCommand::RasterChanges {
     for (auto* document : {&before, &after}) {
       document->layers.clear();
       document->selection.reset();
+      document->locked_area.reset();
     }
   }
 
-  [[nodiscard]] bool empty() const { return layers_.empty() && !selection_; }
+  [[nodiscard]] bool empty() const { return layers_.empty() && !selection_ && !locked_area_; }
 
   void change(Document& document, bool forwards) const {
     const auto go = [&](const auto& change, const auto& map) { return forwards ? change.applied(map) : change.reverted(map); };
     if (selection_) document.selection = go(*selection_, document.selection);
+    if (locked_area_) document.locked_area = go(*locked_area_, document.locked_area);
     for (const auto& [id, change] : layers_) {
       const auto found = document.layers.find(id);
       auto layer = go(change, found == document.layers.end() ? nullptr : found->second);
@@ -167,20 +170,23 @@ class DocumentCommand::RasterChanges {
 
   void visit_blocks(const BlockVisitor& visit) const {
     if (selection_) selection_->visit_blocks(visit);
+    if (locked_area_) locked_area_->visit_blocks(visit);
     for (const auto& [id, change] : layers_) change.visit_blocks(visit);
   }
   [[nodiscard]] std::size_t own_bytes() const {
-    std::size_t sum = sizeof(*this) + (selection_ ? selection_->own_bytes() : 0);
+    std::size_t sum = sizeof(*this) + (selection_ ? selection_->own_bytes() : 0) + (locked_area_ ? locked_area_->own_bytes() : 0);
     for (const auto& [id, change] : layers_) sum += sizeof(id) + id.name.capacity() + change.own_bytes();
     return sum;
   }
   void visit_tiles(const std::function<void(PackableTiles&)>& visit) {
     if (selection_) selection_->visit_tiles(visit);
+    if (locked_area_) locked_area_->visit_tiles(visit);
     for (auto& [id, change] : layers_) change.visit_tiles(visit);
   }
 
  private:
   std::optional<MapChange<std::uint8_t>> selection_;
+  std::optional<MapChange<std::uint8_t>> locked_area_;
   std::map<LayerId, MapChange<Paint>> layers_;
 };
 
@@ -196,13 +202,15 @@ std::string DocumentCommand::name() const { return name_; }
 
 namespace {
 
-/// Everything but layers and selection.
+/// Everything but layers, selection and locked area.
 void take_parts(Document& document, const Document& parts) {
   auto layers = std::move(document.layers);
   auto selection = std::move(document.selection);
+  auto locked_area = std::move(document.locked_area);
   document = parts;
   document.layers = std::move(layers);
   document.selection = std::move(selection);
+  document.locked_area = std::move(locked_area);
 }
 
 }  // namespace

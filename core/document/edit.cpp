@@ -19,8 +19,24 @@ std::string select_words(const SelectEdit& edit) {
       return "Select by value";
     case SelectEdit::Shape::inverse:
       return "Invert the selection";
+    case SelectEdit::Shape::painted:
+      return "Select the paint of " + layer_words(edit.range.map);
   }
   return "Select";
+}
+
+std::string lock_words(const LockEdit& edit) {
+  switch (edit.how) {
+    case LockEdit::How::replace:
+      return "Lock only the selection";
+    case LockEdit::How::add:
+      return "Lock the selection";
+    case LockEdit::How::subtract:
+      return "Unlock the selection";
+    case LockEdit::How::nothing:
+      return "Unlock everything";
+  }
+  return "Lock";
 }
 
 std::vector<LayerId> layers_of(const std::vector<EditTarget>& targets) {
@@ -42,6 +58,7 @@ struct NameOf {
     return "Mix " + layer_words(edit.from) + " into " + layer_words(edit.into);
   }
   std::string operator()(const PartsEdit& edit) const { return edit.name; }
+  std::string operator()(const LockEdit& edit) const { return lock_words(edit); }
 };
 
 struct CommandOf {
@@ -54,6 +71,7 @@ struct CommandOf {
   CommandResult operator()(const ImageEdit& edit) const { return image_command(document, edit, grounds); }
   CommandResult operator()(const MixEdit& edit) const { return mix_command(document, edit, grounds); }
   CommandResult operator()(const PartsEdit& edit) const { return parts_command(document, edit); }
+  CommandResult operator()(const LockEdit& edit) const { return lock_command(document, edit); }
 };
 
 }  // namespace

@@ -49,23 +49,37 @@ struct FillEdit {
 };
 
 /// Changes what is selected. `inverse` turns the whole selection round, whatever the mode; 'nothing' is a selection without any
-/// cell, in which no edit changes anything ('everything' lets every cell be edited again).
+/// cell, in which no edit changes anything ('everything' lets every cell be edited again). 'painted' is where the layer
+/// `range.map` holds paint, as far as it covers.
 struct SelectEdit {
-  enum class Shape : std::uint8_t { everything, nothing, rectangle, lasso, range, inverse };
+  enum class Shape : std::uint8_t { everything, nothing, rectangle, lasso, range, inverse, painted };
   Shape shape = Shape::everything;
   SelectionMode mode = SelectionMode::replace;
   std::vector<PathPoint> points{};  ///< two corners, or the lasso's line
-  FilterCondition range{};          ///< of Shape::range
+  FilterCondition range{};          ///< of Shape::range; its `map` of Shape::painted
   bool operator==(const SelectEdit&) const = default;
 };
 
-/// Takes all paint off a layer, whatever is selected (the computed map is back).
+/// Changes where no edit changes paint, from what is selected (without a selection: everything).
+struct LockEdit {
+  enum class How : std::uint8_t {
+    replace,   ///< what is selected is locked, the rest is free
+    add,       ///< what is selected is locked too
+    subtract,  ///< what is selected is free again
+    nothing    ///< everything is free
+  };
+  How how = How::add;
+  bool operator==(const LockEdit&) const = default;
+};
+
+/// Takes all paint off a layer, whatever is selected (the computed map is back), but not off the locked area.
 struct ClearEdit {
   LayerId layer{};
   bool operator==(const ClearEdit&) const = default;
 };
 
-/// Lays a map over a layer as paint, within filter and selection. `values` has the terrain's size; NaN cells are left alone.
+/// Lays a map over a layer as paint, within filter, selection and what is not locked. `values` has the terrain's size; NaN cells
+/// are left alone.
 struct ImageEdit {
   LayerId layer{};
   std::shared_ptr<const Grid<float>> values = nullptr;
@@ -85,8 +99,8 @@ enum class LayerMix : std::uint8_t {
   maximum     ///< where both cover, the one of the greater final value; elsewhere the one there is. Not for classes.
 };
 
-/// Mixes paint into a layer, within the selection, from another layer of this document or from `paint` (another scene's, a copied
-/// one). Values are cut to what the layer may hold; classes mix with classes only.
+/// Mixes paint into a layer, within the selection and what is not locked, from another layer of this document or from `paint`
+/// (another scene's, a copied one). Values are cut to what the layer may hold; classes mix with classes only.
 struct MixEdit {
   LayerId into{};
   LayerId from{};
@@ -100,7 +114,7 @@ struct PartsEdit {
   std::function<void(Document&)> change{};
 };
 
-using Edit = std::variant<StrokeEdit, FillEdit, SelectEdit, ClearEdit, ImageEdit, MixEdit, PartsEdit>;
+using Edit = std::variant<StrokeEdit, FillEdit, SelectEdit, ClearEdit, ImageEdit, MixEdit, PartsEdit, LockEdit>;
 
 /// The maps that edits read beside the document.
 struct EditGrounds {

@@ -14,6 +14,7 @@ using CommandResult = Result<std::unique_ptr<Command>>;
 [[nodiscard]] CommandResult stroke_command(const Document& document, const StrokeEdit& edit, const EditGrounds& grounds);
 [[nodiscard]] CommandResult fill_command(const Document& document, const FillEdit& edit, const EditGrounds& grounds);
 [[nodiscard]] CommandResult select_command(const Document& document, const SelectEdit& edit, const EditGrounds& grounds);
+[[nodiscard]] CommandResult lock_command(const Document& document, const LockEdit& edit);
 [[nodiscard]] CommandResult clear_command(const Document& document, const ClearEdit& edit);
 [[nodiscard]] CommandResult image_command(const Document& document, const ImageEdit& edit, const EditGrounds& grounds);
 [[nodiscard]] CommandResult mix_command(const Document& document, const MixEdit& edit, const EditGrounds& grounds);

@@ -71,6 +71,7 @@ struct Mixer {
   const PaintLayer* other;
   const Grid<float>* computed;
   const SelectionMask* selection;
+  const SelectionMask* locked_area;
 
   PaintLayer::TilePointer operator()(std::size_t tile, const PaintLayer* own) const {
     const PaintLayer::TilePointer before = own == nullptr ? nullptr : own->tile(tile);
@@ -84,7 +85,8 @@ struct Mixer {
       for (int x = cells.x0; x < cells.x1; ++x) {
         Paint& cell = (*fresh)[PaintLayer::offset(x, y)];
         const Paint theirs = with ? made_legal((*with)[PaintLayer::offset(x, y)], kind) : Paint{};
-        cell = between(cell, mixed(mix, cell, theirs, (*computed)(x, y), classes), selected(selection, x, y), classes);
+        const float share = selected(selection, x, y) * (1 - locked_share(locked_area, x, y));
+        cell = between(cell, mixed(mix, cell, theirs, (*computed)(x, y), classes), share, classes);
       }
     }
     return settled_tile(before, std::move(fresh));
@@ -100,6 +102,9 @@ Status check_mix(const Document& document, const MixEdit& edit) {
   }
   if (document.selection) {
     if (const Status size = check_size(document, document.selection->rect(), "The selection"); !size) return size;
+  }
+  if (document.locked_area) {
+    if (const Status size = check_size(document, document.locked_area->rect(), "The locked area"); !size) return size;
   }
   if (holds_classes(edit.into.kind) != holds_classes(edit.from.kind)) {
     return fail("Geology holds classes, which cannot be mixed with the values of " +
@@ -128,8 +133,17 @@ std::unique_ptr<Command> layer_command(const Document& document, const LayerId& 
 
 CommandResult clear_command(const Document& document, const ClearEdit& edit) {
   if (const Status editable = check_editable(document, edit.layer); !editable) return tl::unexpected(editable.error());
+  if (!document.locked_area) {
+    return layer_command(document, edit.layer, edit_name(edit),
+                         [](std::size_t, const PaintLayer*) { return PaintLayer::TilePointer{}; });
+  }
+  if (const Status size = check_size(document, document.locked_area->rect(), "The locked area"); !size) {
+    return tl::unexpected(size.error());
+  }
+  // Paint goes where it would give way to paint of no coverage.
+  const Grid<float>& height = document.terrain->height;
   return layer_command(document, edit.layer, edit_name(edit),
-                       [](std::size_t, const PaintLayer*) { return PaintLayer::TilePointer{}; });
+                       Mixer{LayerMix::replace, edit.layer.kind, nullptr, &height, nullptr, document.locked_area.get()});
 }
 
 CommandResult image_command(const Document& document, const ImageEdit& edit, const EditGrounds& grounds) {
@@ -146,7 +160,7 @@ CommandResult image_command(const Document& document, const ImageEdit& edit, con
   if (!ground) return tl::unexpected(ground.error());
   LayerPainter painter = painter_of(brush, ground->targets.front(), 1);
   painter.source = edit.values.get();
-  const CellFilter filter(brush.filter, &ground->maps, document.selection.get());
+  const CellFilter filter(brush.filter, &ground->maps, document.selection.get(), document.locked_area.get());
   const PaintLayer map(edit.values->width(), edit.values->height());
   return layer_command(document, edit.layer, edit_name(edit), [&](std::size_t tile, const PaintLayer* before) {
     const auto weights = filter.blocks_tile(tile) ? std::nullopt : tile_weights(tile, map.tile_rect(tile), filter);
@@ -165,8 +179,9 @@ CommandResult mix_command(const Document& document, const MixEdit& edit, const E
     computed = std::move(*known);
   }
   const PaintLayer* other = edit.paint ? edit.paint.get() : paint_on(document, edit.from);
-  return layer_command(document, edit.into, edit_name(edit),
-                       Mixer{edit.mix, edit.into.kind, other, computed.get(), document.selection.get()});
+  return layer_command(
+      document, edit.into, edit_name(edit),
+      Mixer{edit.mix, edit.into.kind, other, computed.get(), document.selection.get(), document.locked_area.get()});
 }
 
 }  // namespace biotope

@@ -25,7 +25,8 @@ bool same_document(const Document& a, const Document& b) {
   return a.terrain == b.terrain && same_inflows(a.inflows, b.inflows) && a.climate == b.climate &&
          same_species(a.species, b.species) && a.use_proportions == b.use_proportions && a.seed == b.seed &&
          a.layers == b.layers && a.layer_states == b.layer_states && same_selection(a.selection, b.selection) &&
-         a.placements == b.placements && a.given_environment.monthly == b.given_environment.monthly &&
+         same_selection(a.locked_area, b.locked_area) && a.placements == b.placements &&
+         a.given_environment.monthly == b.given_environment.monthly &&
          a.given_environment.geology == b.given_environment.geology && a.title == b.title;
 }
 

@@ -13,6 +13,16 @@ Result<SelectionMask> range_mask(const Document& document, const FilterCondition
   return selection_of(values.width(), values.height(), [&](int x, int y) { return condition_weight(condition, values(x, y)); });
 }
 
+Result<SelectionMask> painted_mask(const Document& document, const LayerId& layer) {
+  if (const Status known = check_layer(document, layer); !known) return tl::unexpected(known.error());
+  const auto found = document.layers.find(layer);
+  if (found == document.layers.end() || !found->second) {
+    return fail("Nothing is painted on " + layer_words(layer) + ". Paint something first.");
+  }
+  const PaintLayer& paint = *found->second;
+  return selection_of(paint.width(), paint.height(), [&](int x, int y) { return paint(x, y).coverage; });
+}
+
 Result<SelectionMask> shape_mask(const Document& document, const SelectEdit& edit, const EditGrounds& grounds) {
   const int width = document.terrain->height.width();
   const int height = document.terrain->height.height();
@@ -27,6 +37,8 @@ Result<SelectionMask> shape_mask(const Document& document, const SelectEdit& edi
       return lasso_selection(width, height, edit.points);
     case SelectEdit::Shape::range:
       return range_mask(document, edit.range, grounds);
+    case SelectEdit::Shape::painted:
+      return painted_mask(document, edit.range.map);
     case SelectEdit::Shape::nothing:
     case SelectEdit::Shape::inverse:
       break;

@@ -8,7 +8,10 @@ namespace biotope {
 namespace {
 
 Status check_selection(const Document& document) {
-  return document.selection ? check_size(document, document.selection->rect(), "The selection") : Status{};
+  if (document.selection) {
+    if (const Status size = check_size(document, document.selection->rect(), "The selection"); !size) return size;
+  }
+  return document.locked_area ? check_size(document, document.locked_area->rect(), "The locked area") : Status{};
 }
 
 Status check_target(const Document& document, const EditTarget& target) {
@@ -82,7 +85,7 @@ CommandResult fill_command(const Document& document, const FillEdit& edit, const
   }
   const auto ground = stroke_ground(document, edit.targets, edit.brush, edit.clone_from, grounds);
   if (!ground) return tl::unexpected(ground.error());
-  const CellFilter filter(edit.brush.filter, &ground->maps, document.selection.get());
+  const CellFilter filter(edit.brush.filter, &ground->maps, document.selection.get(), document.locked_area.get());
   const PaintLayer map(document.terrain->height.width(), document.terrain->height.height());
   std::vector<std::unique_ptr<Command>> commands;
   const std::string name = edit_name(edit);

@@ -73,8 +73,8 @@ class GroupCommand final : public Command {
   std::vector<std::unique_ptr<Command>> commands_;
 };
 
-/// Any change of a document, from the document before and after it. Keeps of layers and of the selection only the tiles that differ, and of the
-/// rest what is cheap: values and shared pointers.
+/// Any change of a document, from the document before and after it. Keeps of layers and masks only the tiles that differ, and of
+/// the rest what is cheap: values and shared pointers.
 class DocumentCommand final : public Command {
  public:
   DocumentCommand(std::string name, Document before, Document after);
@@ -86,20 +86,20 @@ class DocumentCommand final : public Command {
   void visit_blocks(const BlockVisitor& visit) const override;
   [[nodiscard]] std::size_t own_bytes() const override;
   void visit_tiles(const std::function<void(PackableTiles&)>& visit) override;
-  /// Takes in another DocumentCommand unless that one changes layers or the selection.
+  /// Takes in another DocumentCommand unless that one changes layers, the selection or the locked area.
   bool absorb(const Command& later) override;
 
  private:
   class RasterChanges;
   std::string name_;
-  /// Without layers and selection.
+  /// Without layers, selection and locked area.
   Document before_;
   Document after_;
   std::unique_ptr<RasterChanges> rasters_;
 };
 
-/// One line of undo and redo with a byte budget; the oldest steps are dropped first. Steps far from where one stands are packed in the
-/// background: see docs/architecture.md.
+/// One line of undo and redo with a byte budget; the oldest steps are dropped first. Steps far from where one stands are packed
+/// in the background: see docs/architecture.md.
 class History {
  public:
   explicit History(std::size_t byte_budget = std::size_t(1) << 30);
@@ -107,8 +107,8 @@ class History {
   History(History&&) noexcept;
   History& operator=(History&&) noexcept;
 
-  /// Applies the command and records it; drops what could be redone. With a `merge_key` that is the newest step's too, both become
-  /// one step: a slider that is dragged is one change. Undo, redo, `end_merging` and any other step end that.
+  /// Applies the command and records it; drops what could be redone. With a `merge_key` that is the newest step's too, both
+  /// become one step: a slider that is dragged is one change. Undo, redo, `end_merging` and any other step end that.
   void perform(Document& document, std::unique_ptr<Command> command, std::string_view merge_key = {});
   /// Records a command whose effect the document already shows (a stroke painted live).
   void record(std::unique_ptr<Command> command, std::string_view merge_key = {});

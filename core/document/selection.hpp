@@ -46,4 +46,9 @@ enum class SelectionMode : std::uint8_t {
   return mask == nullptr ? 1.0F : float((*mask)(x, y)) * (1.0F / 255);
 }
 
+/// Share of a cell that is locked, 0..1; 0 everywhere without a locked area.
+[[nodiscard]] inline float locked_share(const SelectionMask* locked_area, int x, int y) {
+  return locked_area == nullptr ? 0.0F : float((*locked_area)(x, y)) * (1.0F / 255);
+}
+
 }  // namespace biotope

@@ -24,16 +24,16 @@ std::shared_ptr<const ConfinementRegions> regions_in(const AnimalLevel& level, c
   return nullptr;
 }
 
-/// Regions of animals with these limits; what was found before is taken over as far as it is the same.
-std::shared_ptr<const ConfinementRegions> regions_for(const AnimalLevelInput& input, const Mobility& mobility) {
+/// Regions of animals with these limits; what was found before is taken over but for some rows.
+std::shared_ptr<const ConfinementRegions> regions_for(const AnimalLevelInput& input, const Mobility& mobility,
+                                                      std::span<const char> other_rows) {
   for (const auto& below : input.below) {
     if (auto regions = regions_in(*below, mobility)) return regions;
   }
   const auto before = input.previous ? regions_in(*input.previous, mobility) : nullptr;
   if (!before) return std::make_shared<const ConfinementRegions>(confinement_regions(input.ground, mobility));
-  const Ground& ground_before = input.previous->basis.ground;
-  if (same_blocked_cells(input.ground, ground_before, mobility)) return before;
-  return std::make_shared<const ConfinementRegions>(confinement_regions(input.ground, mobility, ground_before, *before));
+  if (same_blocked_cells(input.ground, input.previous->basis.ground, mobility)) return before;
+  return confinement_regions(input.ground, mobility, other_rows, before);
 }
 
 /// One map of regions for every kind of obstacles, shared by the species that meet the same.
@@ -46,8 +46,10 @@ void find_regions(const AnimalLevelInput& input, AnimalLevel& level) {
     kind_of_species.push_back(std::size_t(found - kinds.begin()));
     if (found == kinds.end()) kinds.push_back(mobility);
   }
+  const std::vector<char> other_rows =
+      input.previous ? rows_of_other_obstacles(input.ground, input.previous->basis.ground) : std::vector<char>{};
   std::vector<std::shared_ptr<const ConfinementRegions>> maps(kinds.size());
-  parallel_each(kinds.size(), [&](std::size_t i) { maps[i] = regions_for(input, kinds[i]); });
+  parallel_each(kinds.size(), [&](std::size_t i) { maps[i] = regions_for(input, kinds[i], other_rows); });
   for (const std::size_t kind : kind_of_species) level.regions.push_back(maps[kind]);
 }
 
@@ -66,9 +68,13 @@ void find_partition(const AnimalLevelInput& input, AnimalLevel& level) {
   const bool known_shore = previous != nullptr && same_water(previous->basis.ground);
   if (known_shore && previous->partition == level.partition) {
     level.basis.banks = previous->basis.banks;
-  } else {
-    level.basis.banks = find_banks(input.ground, *piece_runs(level), known_shore ? previous->basis.banks->shore : nullptr);
+    return;
   }
+  std::shared_ptr<const RunTable> shore = known_shore ? previous->basis.banks->shore : nullptr;
+  for (const auto& below : input.below) {
+    if (!shore && below->basis.banks && same_water(below->basis.ground)) shore = below->basis.banks->shore;
+  }
+  level.basis.banks = find_banks(input.ground, *piece_runs(level), shore);
 }
 
 /// Whether the level's foods lose the same of their growth, by the same paint.
@@ -296,14 +302,14 @@ Grid<float> animal_density(const AnimalLevel& level, int species_index, const Pa
     uniform.push_back(float(uniform_density(regions.regions[i], individuals[i])));
   Grid<float> density(regions.label.width(), regions.label.height());
   parallel_rows(0, density.height(), [&](int y) {
-    const auto label = regions.label.row(y);
     const auto row = density.row(y);
     std::vector<Paint> cells(paint != nullptr ? row.size() : 0);
     if (paint != nullptr) paint->read_row(y, 0, cells);
-    for (std::size_t x = 0; x < row.size(); ++x) {
-      if (label[x] < 0) continue;
-      row[x] = uniform[std::size_t(label[x])];
-      if (paint != nullptr && cells[x].coverage > 0) row[x] = std::max(0.0F, painted(row[x], cells[x]));
+    for (const CellRun& run : regions.label.runs().row(y)) {
+      for (auto x = std::size_t(run.x0); x < std::size_t(run.x1); ++x) {
+        row[x] = uniform[std::size_t(run.value)];
+        if (paint != nullptr && cells[x].coverage > 0) row[x] = std::max(0.0F, painted(row[x], cells[x]));
+      }
     }
   });
   return density;

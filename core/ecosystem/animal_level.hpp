@@ -12,6 +12,7 @@
 #include "core/ecosystem/confinement.hpp"
 #include "core/ecosystem/cover.hpp"
 #include "core/ecosystem/resource_access_graph.hpp"
+#include "core/ecosystem/warning.hpp"
 #include "core/species/species_library.hpp"
 
 namespace biotope {
@@ -80,7 +81,7 @@ struct AnimalLevel {
     double missing = 0;  ///< kg per year; 0 for "water", which has no amount
   };
   std::vector<Shortage> shortages;
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   AnimalLevelBasis basis;
 };
 

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 
 #include "core/base/parallel.hpp"
 #include "core/ecosystem/cell_runs.hpp"
+#include "core/ecosystem/ford_discs.hpp"
 #include "core/ecosystem/obstacle_rows.hpp"
 
 namespace biotope {
@@ -56,23 +58,48 @@ ConfinementRegions regions_of(RunTable passable, double cell_size) {
       if (region >= 0) out.push_back({passable.runs[i].x0, passable.runs[i].x1, region});
     }
   });
-  result.label = numbers_of(runs);
-  result.runs = std::make_shared<const RunTable>(std::move(runs));
+  result.label = RunMap(std::move(runs));
   result.passable = std::make_shared<const RunTable>(std::move(passable));
   return result;
 }
 
-/// Rows where trees or painted passages of two grounds may differ.
-std::vector<char> differing_rows(const Ground& a, const Ground& b) {
-  const int height = a.terrain->height.height();
-  std::vector<char> differ(static_cast<std::size_t>(height));
-  if (a.tree_cover != b.tree_cover) {
-    parallel_rows(0, height, [&](int y) {
-      const bool same = a.tree_cover && b.tree_cover && std::ranges::equal(a.tree_cover->row(y), b.tree_cover->row(y));
-      differ[std::size_t(y)] = !same;
-    });
+/// Marks the rows in which two rasters (null: none) differ.
+template <class T>
+void mark_rows(const Grid<T>* a, const Grid<T>* b, std::vector<char>& differ) {
+  if (a == b) return;
+  parallel_rows(0, int(differ.size()), [&](int y) {
+    if (a == nullptr || b == nullptr || !std::ranges::equal(a->row(y), b->row(y))) differ[std::size_t(y)] = 1;
+  });
+}
+
+/// Marks the rows that discs reach which only one of two lists has.
+template <class Disc>
+void mark_discs(const std::vector<Disc>& a, const std::vector<Disc>& b, std::vector<char>& differ) {
+  const auto mark = [&](const std::vector<Disc>& own, const std::vector<Disc>& other) {
+    for (const Disc& disc : own) {
+      if (std::find(other.begin(), other.end(), disc) != other.end()) continue;
+      const auto row = [&](double y) { return std::size_t(std::clamp(y, 0.0, double(differ.size()))); };
+      std::fill(differ.begin() + std::ptrdiff_t(row(std::floor(disc.y - disc.radius))),
+                differ.begin() + std::ptrdiff_t(row(std::ceil(disc.y + disc.radius) + 1)), 1);
+    }
+  };
+  mark(a, b);
+  mark(b, a);
+}
+
+/// Discs that placed exits open.
+std::vector<FordDisc> exit_discs(const Ground& ground) {
+  std::vector<FordDisc> discs;
+  if (!ground.places) return discs;
+  for (const PlacedExit& exit : ground.places->exits) {
+    discs.push_back({double(exit.at.x), double(exit.at.y), place_radius(exit.radius, ground.terrain->cell_size)});
   }
-  if (a.passage == b.passage) return differ;
+  return discs;
+}
+
+/// Marks the rows of the tiles that two layers of paint do not share.
+void mark_passage(const Ground& a, const Ground& b, std::vector<char>& differ) {
+  if (a.passage == b.passage) return;
   const PaintLayer& layout = a.passage ? *a.passage : *b.passage;
   const auto background = [](const std::shared_ptr<const PaintLayer>& layer) { return layer ? layer->background() : Paint{}; };
   const bool same_background = background(a.passage) == background(b.passage);
@@ -83,7 +110,6 @@ std::vector<char> differing_rows(const Ground& a, const Ground& b) {
     const Rect cells = layout.tile_rect(i);
     std::fill(differ.begin() + cells.y0, differ.begin() + cells.y1, 1);
   }
-  return differ;
 }
 
 }  // namespace
@@ -146,27 +172,38 @@ ConfinementRegions confinement_regions(const Ground& ground, const Mobility& mob
       ground.terrain->cell_size);
 }
 
-ConfinementRegions confinement_regions(const Ground& ground, const Mobility& mobility, const Ground& earlier,
-                                       const ConfinementRegions& earlier_regions) {
-  const bool comparable = earlier_regions.passable && ground.terrain == earlier.terrain &&
-                          ground.derivatives == earlier.derivatives && ground.hydrology == earlier.hydrology &&
-                          same_openings(ground.places.get(), earlier.places.get());
-  if (!comparable) return confinement_regions(ground, mobility);
+std::vector<char> rows_of_other_obstacles(const Ground& a, const Ground& b) {
+  if (a.terrain->height.rect() != b.terrain->height.rect() || a.terrain->cell_size != b.terrain->cell_size) return {};
+  std::vector<char> differ(static_cast<std::size_t>(a.terrain->height.height()));
+  if (a.derivatives != b.derivatives) mark_rows(&a.derivatives->slope, &b.derivatives->slope, differ);
+  if (a.hydrology != b.hydrology) mark_rows(&a.hydrology->water_depth, &b.hydrology->water_depth, differ);
+  mark_rows(a.tree_cover.get(), b.tree_cover.get(), differ);
+  mark_passage(a, b, differ);
+  mark_discs(ford_discs(a), ford_discs(b), differ);
+  mark_discs(exit_discs(a), exit_discs(b), differ);
+  return differ;
+}
+
+std::shared_ptr<const ConfinementRegions> confinement_regions(const Ground& ground, const Mobility& mobility,
+                                                              std::span<const char> other_rows,
+                                                              const std::shared_ptr<const ConfinementRegions>& earlier) {
+  if (!earlier->passable || other_rows.size() != std::size_t(earlier->passable->height)) {
+    return std::make_shared<const ConfinementRegions>(confinement_regions(ground, mobility));
+  }
   const ObstacleRows obstacles(ground, mobility);
-  const std::vector<char> differ = differing_rows(ground, earlier);
-  const RunTable& before = *earlier_regions.passable;
-  return regions_of(collect_rows(before.width, before.height,
-                                 [&](int y, std::vector<CellRun>& out) {
-                                   if (!differ[std::size_t(y)]) {
-                                     const auto row = before.row(y);
-                                     out.insert(out.end(), row.begin(), row.end());
-                                     return;
-                                   }
-                                   std::vector<std::int8_t> cells(static_cast<std::size_t>(before.width));
-                                   obstacles.fill_row<std::int8_t>(y, cells, 0, -1);
-                                   append_runs(std::span<const std::int8_t>(cells), out);
-                                 }),
-                    ground.terrain->cell_size);
+  const RunTable& before = *earlier->passable;
+  RunTable passable = collect_rows(before.width, before.height, [&](int y, std::vector<CellRun>& out) {
+    if (!other_rows[std::size_t(y)]) {
+      const auto row = before.row(y);
+      out.insert(out.end(), row.begin(), row.end());
+      return;
+    }
+    std::vector<std::int8_t> cells(static_cast<std::size_t>(before.width));
+    obstacles.fill_row<std::int8_t>(y, cells, 0, -1);
+    append_runs(std::span<const std::int8_t>(cells), out);
+  });
+  if (passable == before) return earlier;
+  return std::make_shared<const ConfinementRegions>(regions_of(std::move(passable), ground.terrain->cell_size));
 }
 
 }  // namespace biotope

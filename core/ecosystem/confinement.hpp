@@ -9,14 +9,13 @@
 #include "core/base/paint.hpp"
 #include "core/ecosystem/cover.hpp"
 #include "core/ecosystem/places.hpp"
+#include "core/ecosystem/run_map.hpp"
 #include "core/species/species.hpp"
 #include "core/terrain/derivatives.hpp"
 #include "core/terrain/hydrology.hpp"
 #include "core/terrain/terrain.hpp"
 
 namespace biotope {
-
-struct RunTable;
 
 /// Regions smaller than this hold nobody, m2.
 inline constexpr double minimum_region_area = 10000;
@@ -68,30 +67,33 @@ enum class Obstacle : std::uint8_t { none, slope, deep_water, trees, painted };
 struct ConfinementRegions {
   /// Region of each cell, -1 where blocked or in a region below the minimum area. Regions are numbered by their first cell in row
   /// order.
-  Grid<std::int32_t> label;
+  RunMap label;
   struct Region {
     std::size_t cells = 0;
     double area = 0;  ///< m2
     Rect bounds;
   };
   std::vector<Region> regions;
-  /// Runs of passable cells, and of the cells of regions with their numbers; null where only the grid was made.
+  /// Runs of passable cells; null where they are not known.
   std::shared_ptr<const RunTable> passable = nullptr;
-  std::shared_ptr<const RunTable> runs = nullptr;
 };
 [[nodiscard]] ConfinementRegions confinement_regions(const Grid<std::uint8_t>& blocked, double cell_size);
 /// The same straight from the ground, without the grid between.
 [[nodiscard]] ConfinementRegions confinement_regions(const Ground& ground, const Mobility& mobility);
-/// The same, with the regions of an earlier ground at hand: rows where trees and painted passages are the same are taken over as
-/// far as nothing else of the ground differs.
-[[nodiscard]] ConfinementRegions confinement_regions(const Ground& ground, const Mobility& mobility, const Ground& earlier,
-                                                     const ConfinementRegions& earlier_regions);
+/// By row: whether some animal may be kept out of other cells of one ground than of the other; empty for grounds of different
+/// sizes.
+[[nodiscard]] std::vector<char> rows_of_other_obstacles(const Ground& a, const Ground& b);
+/// The same, with the regions of an earlier ground at hand: rows but those of other obstacles are taken over. Returns the earlier
+/// regions themselves where they are the same.
+[[nodiscard]] std::shared_ptr<const ConfinementRegions> confinement_regions(
+    const Ground& ground, const Mobility& mobility, std::span<const char> other_rows,
+    const std::shared_ptr<const ConfinementRegions>& earlier);
 
 /// The finest common partition of several species' regions: two cells are in one piece when every species has them in the same
 /// region.
 struct Partition {
   /// Piece of each cell, -1 where no species can be.
-  Grid<std::int32_t> label;
+  RunMap label;
   struct Piece {
     std::size_t cells = 0;
     double area = 0;
@@ -100,8 +102,6 @@ struct Partition {
     std::vector<int> region;
   };
   std::vector<Piece> pieces;
-  /// The same as runs; null where only the grid was made.
-  std::shared_ptr<const RunTable> runs = nullptr;
 };
 [[nodiscard]] Partition finest_partition(std::span<const std::shared_ptr<const ConfinementRegions>> regions, double cell_size);
 

@@ -139,7 +139,7 @@ std::string barrier_text(const Ground& ground, const Barrier& barrier, int from_
   return text + ", " + number_text(std::hypot(dx, dy) * ground.terrain->cell_size, 0) + " m to the " + std::string(winds[wind]);
 }
 
-std::optional<RegionCell> nearest_region_cell(const Grid<std::int32_t>& label, std::span<const double> population, int x, int y) {
+std::optional<RegionCell> nearest_region_cell(const RunMap& label, std::span<const double> population, int x, int y) {
   const int farthest = std::max({x, y, label.width() - 1 - x, label.height() - 1 - y});
   std::optional<RegionCell> nearest;
   double best = 0;

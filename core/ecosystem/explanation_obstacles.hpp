@@ -36,7 +36,7 @@ struct RegionCell {
   int y = 0;
   int region = 0;
 };
-[[nodiscard]] std::optional<RegionCell> nearest_region_cell(const Grid<std::int32_t>& label, std::span<const double> population,
-                                                            int x, int y);
+[[nodiscard]] std::optional<RegionCell> nearest_region_cell(const RunMap& label, std::span<const double> population, int x,
+                                                            int y);
 
 }  // namespace biotope

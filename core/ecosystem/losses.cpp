@@ -1,5 +1,8 @@
 #include "core/ecosystem/losses.hpp"
 
+#include <array>
+#include <span>
+
 namespace biotope {
 
 std::vector<double> mean_losses(const ConfinementRegions& regions, const PaintLayer* loss) {
@@ -10,9 +13,10 @@ std::vector<double> mean_losses(const ConfinementRegions& regions, const PaintLa
     if (!loss->tile(tile) && loss_steps(loss->background()) == 0) continue;
     const Rect cells = loss->tile_rect(tile);
     for (int y = cells.y0; y < cells.y1; ++y) {
-      const auto label = regions.label.row(y);
+      std::array<std::int32_t, tile_side> label{};
+      regions.label.read_row(y, cells.x0, std::span(label).first(std::size_t(cells.width())));
       for (int x = cells.x0; x < cells.x1; ++x) {
-        const std::int32_t region = label[std::size_t(x)];
+        const std::int32_t region = label[std::size_t(x - cells.x0)];
         if (region >= 0) sum[std::size_t(region)] += loss_steps((*loss)(x, y));
       }
     }

@@ -1,31 +1,8 @@
 #include "core/ecosystem/obstacle_rows.hpp"
 
+#include "core/ecosystem/ford_discs.hpp"
+
 namespace biotope {
-namespace {
-
-/// Smallest radius of a ford's corridor, cells and metres. Our choice: wide enough that a diagonal river does not close it.
-constexpr double ford_radius_cells = 2;
-constexpr double ford_radius_metres = 6;
-
-/// Radius (cells) within which every point has the centre of a cell: a place holds at least one cell however small it is.
-constexpr double least_place_radius = 0.7072;
-
-/// Radius (cells) of the disk that a ford opens: its river's width and a cell.
-double ford_radius(const Hydrology& hydrology, const Ford& ford, double cell_size) {
-  float discharge = 0;
-  for (int dy = -1; dy <= 1; ++dy) {
-    for (int dx = -1; dx <= 1; ++dx) {
-      if (hydrology.discharge.contains(ford.x + dx, ford.y + dy)) {
-        discharge = std::max(discharge, hydrology.discharge(ford.x + dx, ford.y + dy));
-      }
-    }
-  }
-  return std::max({river_width(discharge) / cell_size + 1, ford_radius_cells, ford_radius_metres / cell_size});
-}
-
-double place_radius(float metres, double cell_size) { return std::max(double(metres) / cell_size, least_place_radius); }
-
-}  // namespace
 
 ObstacleRows::ObstacleRows(const Ground& ground, const Mobility& mobility)
     : slope_(ground.derivatives->slope),
@@ -36,17 +13,11 @@ ObstacleRows::ObstacleRows(const Ground& ground, const Mobility& mobility)
       max_trees_(most_trees(mobility)),
       fords_(std::size_t(slope_.height())) {
   assert(passage_ == nullptr || (passage_->width() == slope_.width() && passage_->height() == slope_.height()));
-  const double cell_size = ground.terrain->cell_size;
-  for (const Ford& ford : ground.hydrology->fords)
-    add_disk(fords_, ford.x, ford.y, ford_radius(*ground.hydrology, ford, cell_size));
-  if (!ground.places) return;
-  for (const PlacedFord& ford : ground.places->fords) {
-    add_disk(fords_, double(ford.at.x), double(ford.at.y), place_radius(ford.radius, cell_size));
-  }
-  if (ground.places->exits.empty()) return;
+  for (const FordDisc& ford : ford_discs(ground)) add_disk(fords_, ford.x, ford.y, ford.radius);
+  if (!ground.places || ground.places->exits.empty()) return;
   exits_.resize(fords_.size());
   for (const PlacedExit& exit : ground.places->exits) {
-    add_disk(exits_, double(exit.at.x), double(exit.at.y), place_radius(exit.radius, cell_size));
+    add_disk(exits_, double(exit.at.x), double(exit.at.y), place_radius(exit.radius, ground.terrain->cell_size));
   }
 }
 

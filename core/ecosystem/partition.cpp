@@ -74,7 +74,7 @@ Partition finest_partition(std::span<const std::shared_ptr<const ConfinementRegi
     map_of_species.push_back(std::size_t(found - known.begin()));
     if (found != known.end()) continue;
     known.push_back(own.get());
-    maps.push_back(own->runs ? own->runs : std::make_shared<const RunTable>(runs_of(own->label)));
+    maps.push_back(own->label.shared_runs());
   }
   Partition result;
   if (maps.empty()) return result;
@@ -106,8 +106,7 @@ Partition finest_partition(std::span<const std::shared_ptr<const ConfinementRegi
     piece.area = double(piece.cells) * cell_size * cell_size;
     for (const std::size_t map : map_of_species) piece.region.push_back(all.tuples[i][map]);
   }
-  result.label = numbers_of(runs);
-  result.runs = std::make_shared<const RunTable>(std::move(runs));
+  result.label = RunMap(std::move(runs));
   return result;
 }
 

@@ -32,6 +32,7 @@ struct RangeEnds {
 struct Competitor {
   int plant = 0;  ///< position in web.levels[0]
   const PlantTraits* traits = nullptr;
+  std::size_t stratum = 0;
   float unit = 0;  ///< steps of 1/240
   float light_taken = 0;
   float water_taken = 0;
@@ -48,6 +49,8 @@ struct CompetitionPlan {
     std::vector<Competitor> competitors;  ///< in species order
     RangeEnds light;
     RangeEnds water;
+    /// Adds plant `number` of web.levels[0].
+    void add(int number, const PlantTraits& plant);
   };
   std::array<Layer, strata> layers;
   int plants = 0;
@@ -79,6 +82,8 @@ struct IntervalSums {
 /// What a batch needs between calls: allocated once a tile.
 struct CompetitionBatch {
   explicit CompetitionBatch(const CompetitionPlan& plan);
+  /// For covers of `plants` plants, at most `most` of which compete in one layer.
+  CompetitionBatch(int plants, std::size_t most);
 
   std::array<IntervalLanes, monthly_resources> resources;
   LaneValues texture;

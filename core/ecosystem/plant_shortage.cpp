@@ -7,6 +7,7 @@
 
 #include "core/base/parallel.hpp"
 #include "core/ecosystem/animal_needs.hpp"
+#include "core/terrain/ground_coordinates.hpp"
 
 namespace biotope {
 namespace {
@@ -111,11 +112,12 @@ std::vector<PlantShortage> plant_shortages(const FoodWeb& web, const PlantEnviro
   return shortages;
 }
 
-std::string shortage_warning(const FoodWeb& web, const PlantShortage& shortage) {
+Warning shortage_warning(const FoodWeb& web, const Terrain& terrain, const PlantShortage& shortage) {
   const std::string area =
       shortage.area < 10000 ? number_text(shortage.area) + " m2" : number_text(shortage.area / 10000) + " ha";
-  return display_name(web, shortage.species) + ": painted over " + area + " where " + std::string(lack(shortage.limiting)) +
-         " (near " + std::to_string(shortage.x) + ", " + std::to_string(shortage.y) + ")";
+  return {display_name(web, shortage.species) + ": painted over " + area + " where " + std::string(lack(shortage.limiting)) +
+              " " + near_text(terrain, shortage.x, shortage.y),
+          shortage.species, PathPoint{float(shortage.x), float(shortage.y)}, shortage.area, "m2"};
 }
 
 }  // namespace biotope

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "core/ecosystem/plant_competition.hpp"
+#include "core/ecosystem/warning.hpp"
+#include "core/terrain/terrain.hpp"
 
 namespace biotope {
 
@@ -31,7 +33,7 @@ inline constexpr float told_cover = 0.05F;
                                                          std::span<const std::shared_ptr<const PaintLayer>> paint,
                                                          double cell_size);
 
-/// "Oak: painted over 3.2 ha where it finds too little moisture (near 120, 340)".
-[[nodiscard]] std::string shortage_warning(const FoodWeb& web, const PlantShortage& shortage);
+/// "Oak: painted over 3.2 ha where the moisture does not suit it (near x 1200 m, y 340 m)".
+[[nodiscard]] Warning shortage_warning(const FoodWeb& web, const Terrain& terrain, const PlantShortage& shortage);
 
 }  // namespace biotope

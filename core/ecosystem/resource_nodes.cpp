@@ -25,9 +25,7 @@ int patch_side(const Terrain& terrain, std::size_t present_cells) {
   return std::max(1, int(std::ceil(std::max({400 / terrain.cell_size, longer / 10, wide_enough}))));
 }
 
-std::shared_ptr<const RunTable> piece_runs(const AnimalLevel& level) {
-  return level.partition->runs ? level.partition->runs : std::make_shared<const RunTable>(runs_of(level.partition->label));
-}
+std::shared_ptr<const RunTable> piece_runs(const AnimalLevel& level) { return level.partition->label.shared_runs(); }
 
 ResourceNode node_of_area(const Area& area, NearestCell position, double cell_area) {
   ResourceNode node;

@@ -8,7 +8,7 @@ namespace biotope {
 namespace {
 
 /// The cell of some piece nearest to a point, the first in row order of equals; none farther than `reach` cells.
-std::optional<NearestCell> nearest_passable(const Grid<std::int32_t>& piece, PathPoint point, double reach) {
+std::optional<NearestCell> nearest_passable(const RunMap& piece, PathPoint point, double reach) {
   std::optional<NearestCell> nearest;
   double best = reach * reach;
   const int x0 = std::max(0, int(std::ceil(double(point.x) - reach)));

@@ -14,7 +14,7 @@ namespace {
 
 /// A level that eats a plant, and what share it leaves in each piece.
 struct PlantEater {
-  const Grid<std::int32_t>* piece_of_cell = nullptr;
+  const RunMap* piece_of_cell = nullptr;
   std::vector<float> left;
 };
 
@@ -93,9 +93,9 @@ Grid<float> plant_surplus(const FoodWeb& web, int plant, const CoverMap& cover,
       for (std::size_t x = 0; x < row.size(); ++x) row[x] *= share_kept(loss_steps(lost[x]));
     }
     for (const PlantEater& eater : eaters) {
-      const auto piece = eater.piece_of_cell->row(y);
-      for (std::size_t x = 0; x < row.size(); ++x) {
-        if (piece[x] >= 0) row[x] *= eater.left[std::size_t(piece[x])];
+      for (const CellRun& run : eater.piece_of_cell->runs().row(y)) {
+        const float left = eater.left[std::size_t(run.value)];
+        for (auto x = std::size_t(run.x0); x < std::size_t(run.x1); ++x) row[x] *= left;
       }
     }
   });
@@ -119,9 +119,10 @@ Grid<float> animal_surplus(const FoodWeb& web, int species, const AnimalLevel& o
   }
   Grid<float> surplus(regions.label.width(), regions.label.height());
   parallel_rows(0, surplus.height(), [&](int y) {
-    const auto label = regions.label.row(y);
     const auto row = surplus.row(y);
-    for (std::size_t x = 0; x < row.size(); ++x) row[x] = label[x] >= 0 ? surplus_of_region[std::size_t(label[x])] : 0;
+    for (const CellRun& run : regions.label.runs().row(y)) {
+      std::fill(row.begin() + run.x0, row.begin() + run.x1, surplus_of_region[std::size_t(run.value)]);
+    }
   });
   return surplus;
 }

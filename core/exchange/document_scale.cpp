@@ -117,6 +117,7 @@ Document resampled_document(const Document& document, int longer_side) {
     if (layer) layer = resample(*layer, ratio, width, height);
   }
   if (result.selection) result.selection = resampled_selection(*result.selection, ratio, width, height);
+  if (result.locked_area) result.locked_area = resampled_selection(*result.locked_area, ratio, width, height);
   // Points lie at cell centres plus whole numbers: the map's corner is at -0.5.
   change_points(result.placements, [&](PathPoint& point) {
     point = {float((point.x + 0.5) / ratio - 0.5), float((point.y + 0.5) / ratio - 0.5)};

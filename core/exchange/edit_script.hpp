@@ -9,6 +9,7 @@
 
 #include "core/base/status.hpp"
 #include "core/document/edit.hpp"
+#include "core/exchange/dem_import.hpp"
 #include "core/exchange/edit_script_parts.hpp"
 
 namespace biotope {
@@ -59,6 +60,22 @@ struct MaskEntry {
   bool operator==(const MaskEntry&) const = default;
 };
 
+/// What no edit changes: from what is selected or, where `file` is named, what a file of one band of bytes beside the script says
+/// (255: all of a cell).
+struct LockEntry {
+  LockEdit edit;
+  std::string file;
+  bool operator==(const LockEntry&) const = default;
+};
+
+/// Another landscape in place of the one there is: a built-in one (`sample`), or a scene or DEM in a file beside the script. The
+/// history begins anew. While a script is recorded `file` is where the file lies; saving brings it beside the script.
+struct OpenEntry {
+  std::string sample;
+  std::string file;
+  DemImportOptions options;
+};
+
 struct UndoEntry {
   int steps = 1;
   bool operator==(const UndoEntry&) const = default;
@@ -71,7 +88,7 @@ struct RedoEntry {
 
 struct ScriptEntry;
 
-/// Several entries that are one step of the history; no groups, undo or redo among them.
+/// Several entries that are one step of the history; no groups, undo, redo or open among them.
 struct GroupEntry {
   std::string name;
   std::vector<ScriptEntry> entries;
@@ -79,13 +96,13 @@ struct GroupEntry {
 
 /// One step of a script.
 struct ScriptEntry {
-  std::variant<StrokeEntry, FillEntry, SelectEdit, ClearEdit, ImageEntry, MixEntry, PartsPatch, MaskEntry, GroupEntry, UndoEntry,
-               RedoEntry>
+  std::variant<StrokeEntry, FillEntry, SelectEdit, ClearEdit, ImageEntry, MixEntry, PartsPatch, MaskEntry, LockEntry, GroupEntry,
+               UndoEntry, RedoEntry, OpenEntry>
       what;
 };
 
 struct EditScript {
-  /// Cells of the terrain it was made on; 0: any. Positions are in cells, so that it only plays on a terrain of this size.
+  /// Cells of the terrain it begins on; 0: any. Positions are in cells, so that it only plays on a terrain of this size.
   int width = 0;
   int height = 0;
   std::vector<ScriptEntry> entries;

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "core/exchange/atomic_file.hpp"
+#include "core/exchange/edit_script_open.hpp"
 #include "core/exchange/height_source.hpp"
 #include "core/exchange/scene_raster.hpp"
 
@@ -24,6 +27,8 @@ void for_each_file(ScriptEntry& entry, const std::function<void(std::string&)>& 
   if (auto* image = std::get_if<ImageEntry>(&entry.what)) with_name(image->file);
   if (auto* mix = std::get_if<MixEntry>(&entry.what)) with_name(mix->file);
   if (auto* mask = std::get_if<MaskEntry>(&entry.what)) with_name(mask->file);
+  if (auto* lock = std::get_if<LockEntry>(&entry.what)) with_name(lock->file);
+  if (auto* open = std::get_if<OpenEntry>(&entry.what)) with_name(open->file);
   if (auto* group = std::get_if<GroupEntry>(&entry.what)) {
     for (ScriptEntry& part : group->entries) for_each_file(part, use);
   }
@@ -66,7 +71,18 @@ Status save_edit_script(const std::filesystem::path& file, EditScript script, co
   if (Status written = write_used(attachments.rasters, encode_raster); !written) return written;
   if (Status written = write_used(attachments.paints, encode_paint); !written) return written;
   if (Status written = write_used(attachments.masks, encode_selection); !written) return written;
+  std::map<std::string, std::string> brought;
   for (ScriptEntry& entry : script.entries) {
+    if (auto* open = std::get_if<OpenEntry>(&entry.what); open != nullptr && !open->file.empty()) {
+      std::string& beside = brought[open->file];
+      if (beside.empty()) {
+        auto name = bring_beside(open->file, file.parent_path(), inside);
+        if (!name) return tl::unexpected(name.error());
+        beside = std::move(*name);
+      }
+      open->file = beside;
+      continue;
+    }
     for_each_file(entry, [&](std::string& name) {
       if (attachments.contains(name)) name = inside + "/" + name;
     });

@@ -29,7 +29,8 @@ struct ScriptAttachments {
 };
 
 /// Writes a script and, in the folder `<script's stem>-files` beside it, those attachments that its entries name; they get that
-/// folder before the name. Each file is written atomically, the script last.
+/// folder before the name, as do landscapes that "open" entries take from elsewhere: they are copied. Each file is written
+/// atomically, the script last.
 [[nodiscard]] Status save_edit_script(const std::filesystem::path& file, EditScript script,
                                       const ScriptAttachments& attachments = {});
 

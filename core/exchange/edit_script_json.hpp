@@ -20,6 +20,7 @@ namespace biotope::script_json {
 [[nodiscard]] std::span<const std::string> shape_words();
 [[nodiscard]] std::span<const std::string> selection_mode_words();
 [[nodiscard]] std::span<const std::string> mix_words();
+[[nodiscard]] std::span<const std::string> lock_words();
 
 /// What reading an entry needs: where it stands and the first problem found.
 struct EntryReading {

@@ -7,6 +7,7 @@
 
 #include "core/exchange/atomic_file.hpp"
 #include "core/exchange/edit_script_files.hpp"
+#include "core/exchange/edit_script_open.hpp"
 #include "core/exchange/layer_image.hpp"
 #include "core/exchange/scene_raster.hpp"
 #include "core/pipeline/edit_grounds.hpp"
@@ -63,6 +64,7 @@ class Player {
     PlayedEntry played;
     if (const auto* undo = std::get_if<UndoEntry>(&entry.what)) return go(-undo->steps, where);
     if (const auto* redo = std::get_if<RedoEntry>(&entry.what)) return go(redo->steps, where);
+    if (const auto* open = std::get_if<OpenEntry>(&entry.what)) return begin_anew(*open, where);
     auto command = command_of(document_, entry, where);
     if (!command) return tl::unexpected(command.error());
     played.command = std::move(*command);
@@ -74,6 +76,18 @@ class Player {
   [[nodiscard]] Document take_document() { return std::move(document_); }
 
  private:
+  Result<PlayedEntry> begin_anew(const OpenEntry& entry, const std::string& where) {
+    auto opened = open_entry(entry, options_.folder, context_);
+    if (!opened && context_.stopped()) return fail(stopped_message);
+    if (!opened) return fail(where + ": " + opened.error().message);
+    document_ = std::move(*opened);
+    history_.clear();
+    stamps_.clear();
+    PlayedEntry played;
+    played.opened = std::make_shared<const Document>(document_);
+    return played;
+  }
+
   Result<PlayedEntry> go(int steps, const std::string& where) {
     for (int i = 0; i < std::abs(steps); ++i) {
       if (steps < 0 ? history_.undo(document_) : history_.redo(document_)) continue;
@@ -123,6 +137,7 @@ class Player {
     if (const auto* image = std::get_if<ImageEntry>(&entry.what)) return image_edit(document, *image, where);
     if (const auto* mix = std::get_if<MixEntry>(&entry.what)) return mix_edit(document, *mix, where);
     if (const auto* mask = std::get_if<MaskEntry>(&entry.what)) return mask_edit(document, *mask, where);
+    if (const auto* lock = std::get_if<LockEntry>(&entry.what)) return lock_edit(document, *lock, where);
     return parts_edit(document, std::get<PartsPatch>(entry.what), where);
   }
 
@@ -171,14 +186,28 @@ class Player {
   Result<Edit> mask_edit(const Document& document, const MaskEntry& entry, const std::string& where) {
     std::shared_ptr<const SelectionMask> selection;
     if (!entry.file.empty()) {
-      const auto bytes = file_bytes(entry.file, where);
-      if (!bytes) return tl::unexpected(bytes.error());
-      const auto& height = document.terrain->height;
-      auto mask = decode_selection(*bytes, height.width(), height.height(), entry.file);
-      if (!mask) return fail(where + ": " + mask.error().message);
-      selection = std::make_shared<const SelectionMask>(std::move(*mask));
+      auto mask = read_mask(document, entry.file, where);
+      if (!mask) return tl::unexpected(mask.error());
+      selection = std::move(*mask);
     }
     return PartsEdit{"Select", [selection](Document& target) { target.selection = selection; }};
+  }
+
+  Result<Edit> lock_edit(const Document& document, const LockEntry& entry, const std::string& where) {
+    if (entry.file.empty()) return entry.edit;
+    const auto mask = read_mask(document, entry.file, where);
+    if (!mask) return tl::unexpected(mask.error());
+    return PartsEdit{"Lock", [locked = *mask](Document& target) { target.locked_area = locked; }};
+  }
+
+  [[nodiscard]] Result<std::shared_ptr<const SelectionMask>> read_mask(const Document& document, const std::string& file,
+                                                                       const std::string& where) const {
+    const auto bytes = file_bytes(file, where);
+    if (!bytes) return tl::unexpected(bytes.error());
+    const auto& height = document.terrain->height;
+    auto mask = decode_selection(*bytes, height.width(), height.height(), file);
+    if (!mask) return fail(where + ": " + mask.error().message);
+    return std::make_shared<const SelectionMask>(std::move(*mask));
   }
 
   [[nodiscard]] Result<std::string> file_bytes(const std::string& name, const std::string& where) const {

@@ -31,6 +31,8 @@ struct PlayedEntry {
   std::shared_ptr<const Command> command;
   /// Steps taken back (less than 0) or done again.
   int steps = 0;
+  /// The landscape that was opened, with which the history begins anew; null for all other entries.
+  std::shared_ptr<const Document> opened;
   /// After the entry; valid during the call only.
   const Document* document = nullptr;
 };

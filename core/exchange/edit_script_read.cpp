@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "core/exchange/edit_script_json.hpp"
+#include "core/exchange/edit_script_open.hpp"
 #include "core/exchange/height_source.hpp"
 
 namespace biotope {
@@ -109,6 +110,7 @@ SelectEdit read_select(JsonReader& reader) {
     read_condition(range, edit.range);
     range.finish();
   }
+  if (edit.shape == Shape::painted) read_layer(reader, "layer", edit.range.map);
   return edit;
 }
 
@@ -136,6 +138,13 @@ MixEntry read_mix(JsonReader& reader) {
   return entry;
 }
 
+LockEntry read_lock(JsonReader& reader) {
+  LockEntry entry;
+  read_file_name(reader, "file", entry.file, Presence::optional);
+  if (entry.file.empty()) read_word(reader, "how", lock_words(), entry.edit.how, Presence::required);
+  return entry;
+}
+
 template <class Entry>
 Entry read_steps(JsonReader& reader) {
   Entry entry;
@@ -147,11 +156,11 @@ std::vector<ScriptEntry> read_entries(const Json& list, const std::string& where
                                       std::string& problem);
 
 ScriptEntry read_entry(const Json& json, const std::string& where, bool inside_group, std::string& problem) {
-  static const std::array<std::string, 11> all{"stroke", "fill", "select", "clear", "image", "mix",
-                                               "set",    "mask", "group",  "undo",  "redo"};
+  static const std::array<std::string, 13> all{"stroke", "fill", "select", "clear", "image", "mix", "set",
+                                               "mask",   "lock", "group",  "undo",  "redo",  "open"};
   std::string kind;
   // The kind is read first, so that messages can say it.
-  JsonReader(json, where, problem).word("edit", kind, std::span(all).first(inside_group ? 8 : all.size()), Presence::required);
+  JsonReader(json, where, problem).word("edit", kind, std::span(all).first(inside_group ? 9 : all.size()), Presence::required);
   ScriptEntry entry;
   if (!problem.empty()) return entry;
   const EntryReading at{where + " (" + kind + ")", problem};
@@ -165,8 +174,10 @@ ScriptEntry read_entry(const Json& json, const std::string& where, bool inside_g
   if (kind == "mix") entry.what = read_mix(reader);
   if (kind == "set") read_parts(reader, entry.what.emplace<PartsPatch>(), at);
   if (kind == "mask") read_file_name(reader, "file", entry.what.emplace<MaskEntry>().file, Presence::optional);
+  if (kind == "lock") entry.what = read_lock(reader);
   if (kind == "undo") entry.what = read_steps<UndoEntry>(reader);
   if (kind == "redo") entry.what = read_steps<RedoEntry>(reader);
+  if (kind == "open") entry.what = read_open(reader, at);
   if (kind == "group") {
     GroupEntry group;
     reader.text("name", group.name);

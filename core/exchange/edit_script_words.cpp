@@ -35,7 +35,7 @@ std::span<const std::string> quantity_words() {
 }
 
 std::span<const std::string> shape_words() {
-  static const Words<6> words{"everything", "nothing", "rectangle", "lasso", "range", "inverse"};
+  static const Words<7> words{"everything", "nothing", "rectangle", "lasso", "range", "inverse", "painted"};
   return words;
 }
 
@@ -46,6 +46,11 @@ std::span<const std::string> selection_mode_words() {
 
 std::span<const std::string> mix_words() {
   static const Words<6> words{"replace", "over", "under", "subtract", "intersect", "maximum"};
+  return words;
+}
+
+std::span<const std::string> lock_words() {
+  static const Words<4> words{"replace", "add", "subtract", "nothing"};
   return words;
 }
 
@@ -68,8 +73,8 @@ std::optional<LayerId> layer_from_text(std::string_view text) {
 }
 
 std::string entry_kind(const ScriptEntry& entry) {
-  static const std::array<std::string, 11> kinds{"stroke", "fill", "select", "clear", "image", "mix",
-                                                 "set",    "mask", "group",  "undo",  "redo"};
+  static const std::array<std::string, 13> kinds{"stroke", "fill", "select", "clear", "image", "mix", "set",
+                                                 "mask",   "lock", "group",  "undo",  "redo",  "open"};
   static_assert(std::variant_size_v<decltype(ScriptEntry::what)> == std::tuple_size_v<decltype(kinds)>);
   return kinds[entry.what.index()];
 }

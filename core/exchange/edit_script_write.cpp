@@ -1,4 +1,5 @@
 #include "core/exchange/edit_script_json.hpp"
+#include "core/exchange/edit_script_open.hpp"
 
 namespace biotope {
 namespace {
@@ -52,6 +53,7 @@ struct Writer {
       for (const PathPoint& point : edit.points) list.push_back(point_to_json(point));
     }
     if (edit.shape == SelectEdit::Shape::range) json["range"] = condition_to_json(edit.range);
+    if (edit.shape == SelectEdit::Shape::painted) json["layer"] = layer_to_text(edit.range.map);
   }
   void operator()(const ClearEdit& edit) const { json["layer"] = layer_to_text(edit.layer); }
   void operator()(const ImageEntry& entry) const {
@@ -75,9 +77,17 @@ struct Writer {
   void operator()(const MaskEntry& entry) const {
     if (!entry.file.empty()) json["file"] = entry.file;
   }
+  void operator()(const LockEntry& entry) const {
+    if (entry.file.empty()) {
+      json["how"] = lock_words()[std::size_t(entry.edit.how)];
+    } else {
+      json["file"] = entry.file;
+    }
+  }
   void operator()(const GroupEntry& entry) const;
   void operator()(const UndoEntry& entry) const { json["steps"] = entry.steps; }
   void operator()(const RedoEntry& entry) const { json["steps"] = entry.steps; }
+  void operator()(const OpenEntry& entry) const { write_open(json, entry); }
 };
 
 Json entry_to_json(const ScriptEntry& entry) {

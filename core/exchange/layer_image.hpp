@@ -42,6 +42,17 @@ inline constexpr std::array<std::array<std::uint8_t, 3>, geology_classes> geolog
 [[nodiscard]] Result<Grid<float>> read_layer_image(const std::filesystem::path& file, const LayerId& layer,
                                                    const Terrain& terrain, const std::optional<ValueRange>& range = std::nullopt);
 
+/// What an image is like before it is read.
+struct ImageFacts {
+  int width = 0;  ///< pixels
+  int height = 0;
+  bool picture = false;  ///< shades (8 or 16 bits, unsigned) rather than numbers
+  float white = 255;     ///< the number of the brightest shade
+  bool grey = true;      ///< no colours
+};
+/// Looks at an image's head. An Error names the file.
+[[nodiscard]] Result<ImageFacts> look_at_image(const std::filesystem::path& file);
+
 /// Reads a brush stamp: brightness 0..1 times opacity, on the image's own cells. Numbers of a floating-point raster are weights
 /// 0..1.
 [[nodiscard]] Result<Grid<float>> read_stamp(const std::filesystem::path& file);

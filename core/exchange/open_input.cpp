@@ -26,6 +26,17 @@ Status use_defaults(Document& document) {
   return {};
 }
 
+/// A landscape of no place on earth lies in metres from its south-west corner, so that maps written of it have its size.
+void place_in_metres(Document& document) {
+  const Georeference nowhere;
+  const Georeference& reference = document.terrain->georeference;
+  if (!reference.wkt.empty() || reference.transform != nowhere.transform) return;
+  auto terrain = std::make_shared<Terrain>(*document.terrain);
+  const double cell = terrain->cell_size;
+  terrain->georeference.transform = {0, cell, 0, terrain->height_metres(), 0, -cell};
+  document.terrain = std::move(terrain);
+}
+
 Result<Document> open_sample(std::string_view name, const TaskContext& context) {
   auto sample = sample_landscape(name, context);
   if (!sample) return tl::unexpected(sample.error());
@@ -106,10 +117,12 @@ Result<Document> open_input(const std::string& input, const DemImportOptions& op
   }
   if (sample) {
     auto document = open_sample(std::string_view(input).substr(sample_prefix.size()), context);
+    if (document) place_in_metres(*document);
     return document ? scaled(std::move(*document), options) : document;
   }
   if (is_scene_file(input)) {
     auto document = load_scene(input);
+    if (document) place_in_metres(*document);
     return document ? scaled(std::move(*document), options) : document;
   }
   return open_dem(input, options, context);

@@ -34,6 +34,13 @@ class ArchiveReader {
   /// An entry's bytes, checked against the ZIP's checksum; an Error when it is not there, damaged, or unpacks to more than
   /// `most_bytes`.
   [[nodiscard]] Result<std::string> read(const std::string& name, std::uint64_t most_bytes) const;
+  /// The same of an entry that is not worth less for being damaged: what of it could be unpacked, and whether that is all of it
+  /// and as it was written.
+  struct Part {
+    std::string bytes;
+    bool whole = false;
+  };
+  [[nodiscard]] Result<Part> read_part(const std::string& name, std::uint64_t most_bytes) const;
 
  private:
   struct State;

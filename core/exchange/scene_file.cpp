@@ -23,6 +23,7 @@ constexpr const char* species_entry = "species.json";
 constexpr const char* terrain_entry = "terrain.tif";
 constexpr const char* voids_entry = "voids.tif";
 constexpr const char* selection_entry = "selection.tif";
+constexpr const char* locked_area_entry = "locked-area.tif";
 constexpr const char* placements_entry = "placements.json";
 constexpr const char* views_entry = "views.json";
 
@@ -77,6 +78,8 @@ std::vector<Packing> packings(const Document& document, const SceneManifest& man
     list.push_back({layer.file, paint, [paint, kind = layer.id.kind] { return encode_paint(*legal_paint(paint, kind)); }});
   }
   if (const auto& mask = document.selection) list.push_back({selection_entry, mask, [mask] { return encode_selection(*mask); }});
+  if (const auto& mask = document.locked_area)
+    list.push_back({locked_area_entry, mask, [mask] { return encode_selection(*mask); }});
   for (int resource = 0; resource < monthly_resources; ++resource) {
     const auto& maps = document.given_environment.monthly[std::size_t(resource)];
     for (int month = 0; month < int(maps.size()); ++month) {
@@ -211,12 +214,16 @@ Status read_paint(const SceneReader& reader, const SceneManifest& manifest, Docu
   return {};
 }
 
-Status read_selection(const SceneReader& reader, const SceneManifest& manifest, Document& document) {
-  if (!manifest.has_selection) return {};
-  auto mask = reader.selection(selection_entry);
-  if (!mask) return tl::unexpected(mask.error());
-  document.selection = std::make_shared<const SelectionMask>(std::move(*mask));
-  return {};
+Status read_masks(const SceneReader& reader, const SceneManifest& manifest, Document& document) {
+  const auto read = [&](bool is_there, const char* entry, std::shared_ptr<const SelectionMask>& target) -> Status {
+    if (!is_there) return {};
+    auto mask = reader.selection(entry);
+    if (!mask) return tl::unexpected(mask.error());
+    target = std::make_shared<const SelectionMask>(std::move(*mask));
+    return {};
+  };
+  if (const Status done = read(manifest.has_selection, selection_entry, document.selection); !done) return done;
+  return read(manifest.has_locked_area, locked_area_entry, document.locked_area);
 }
 
 Status read_placements(const SceneReader& reader, const SceneManifest& manifest, Document& document) {
@@ -312,21 +319,30 @@ Result<Document> load_scene(const std::filesystem::path& file) {
   document.inflows = manifest->inflows;
   const SceneReader reader(*archive, *manifest, file.string());
   if (const Status biology = read_biology(reader, document); !biology) return tl::unexpected(biology.error());
-  for (const auto& read_part : {read_terrain, read_paint, read_selection, read_placements, read_given_environment}) {
+  for (const auto& read_part : {read_terrain, read_paint, read_masks, read_placements, read_given_environment}) {
     if (const Status part = read_part(reader, *manifest, document); !part) return tl::unexpected(part.error());
   }
   return document;
 }
 
-Result<std::string> load_scene_views(const std::filesystem::path& file) {
+Result<SceneViews> load_scene_views(const std::filesystem::path& file) {
   const auto archive = ArchiveReader::open(file);
   if (!archive) return tl::unexpected(archive.error());
   const auto text = archive->read(manifest_entry, most_json_bytes);
   if (!text) return tl::unexpected(text.error());
   const auto manifest = parse_manifest(*text, file.string() + ": " + manifest_entry);
   if (!manifest) return tl::unexpected(manifest.error());
-  if (!manifest->checksums.contains(views_entry)) return std::string();
-  return SceneReader(*archive, *manifest, file.string()).entry(views_entry, most_view_bytes);
+  const auto sum = manifest->checksums.find(views_entry);
+  if (sum == manifest->checksums.end()) return SceneViews();
+  auto part = archive->read_part(views_entry, most_view_bytes);
+  if (!part) return tl::unexpected(part.error());
+  SceneViews views{std::move(part->bytes), {}};
+  if (!part->whole) {
+    views.damage = file.string() + ": " + views_entry + " is damaged: its checksum is wrong or bytes are missing";
+  } else if (sum->second != checksum(views.text)) {
+    views.damage = file.string() + ": " + views_entry + " was changed outside Biotope: its checksum is wrong";
+  }
+  return views;
 }
 
 }  // namespace biotope

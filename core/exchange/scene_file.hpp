@@ -11,7 +11,7 @@
 namespace biotope {
 
 /// Version of the `.biotope` format this program writes and the newest it reads.
-inline constexpr int scene_format_version = 2;
+inline constexpr int scene_format_version = 3;
 
 /// Packed rasters of the last save, so that one whose source is the same is not packed again. One save at a time may use it. It
 /// keeps the sources alive.
@@ -38,7 +38,12 @@ inline constexpr std::size_t most_view_bytes = std::size_t(4) << 20;
 /// Opens a scene. A newer version, a truncated or corrupt file, a path that climbs out, an absurd size are Errors; nothing is
 /// changed.
 [[nodiscard]] Result<Document> load_scene(const std::filesystem::path& file);
-/// The views saved with a scene; empty when it has none. They are checked by who reads them.
-[[nodiscard]] Result<std::string> load_scene_views(const std::filesystem::path& file);
+/// Views saved with a scene: their text, empty when there are none, and what is wrong with the entry, empty when nothing is. Text
+/// that was changed or damaged is given all the same, as far as it could be read: who reads it keeps what of it makes sense.
+struct SceneViews {
+  std::string text;
+  std::string damage;
+};
+[[nodiscard]] Result<SceneViews> load_scene_views(const std::filesystem::path& file);
 
 }  // namespace biotope

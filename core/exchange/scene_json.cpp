@@ -90,6 +90,7 @@ class ManifestReader {
     read_given();
     reader_.dictionary("checksums", manifest_.checksums);
     reader_.boolean("selection", manifest_.has_selection);
+    reader_.boolean("locked_area", manifest_.has_locked_area);
     reader_.boolean("placements", manifest_.has_placements);
     reader_.finish();
     if (!problem_.empty()) return fail(problem_ + ".");
@@ -281,6 +282,7 @@ SceneManifest manifest_of(const Document& document) {
   }
   manifest.layer_states = document.layer_states;
   manifest.has_selection = document.selection != nullptr;
+  manifest.has_locked_area = document.locked_area != nullptr;
   manifest.has_placements = document.placements != Placements{};
   for (std::size_t r = 0; r < monthly_resources; ++r) {
     manifest.given_months[r] = !document.given_environment.monthly[r].empty();
@@ -292,7 +294,8 @@ SceneManifest manifest_of(const Document& document) {
 std::string manifest_to_json(const SceneManifest& manifest) {
   Json json;
   json["format"] = format_name;
-  json["version"] = scene_format_version;
+  // What older programs can read they may: 3 is needed for a locked area only.
+  json["version"] = manifest.has_locked_area ? scene_format_version : 2;
   json["title"] = manifest.title;
   json["seed"] = manifest.seed;
   json["use_proportions"] = Json::object();
@@ -302,6 +305,7 @@ std::string manifest_to_json(const SceneManifest& manifest) {
   json["layers"] = layers_to_json(manifest);
   json["layer_states"] = states_to_json(manifest);
   json["selection"] = manifest.has_selection;
+  if (manifest.has_locked_area) json["locked_area"] = true;
   json["placements"] = manifest.has_placements;
   json["given_environment"] = Json::array();
   for (std::size_t r = 0; r < monthly_resources; ++r) {

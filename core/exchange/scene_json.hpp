@@ -33,6 +33,7 @@ struct SceneManifest {
   std::vector<Layer> layers;
   std::map<LayerId, LayerState> layer_states;
   bool has_selection = false;
+  bool has_locked_area = false;
   bool has_placements = false;
   /// Resources whose twelve months are given, and whether geology is.
   std::array<bool, monthly_resources> given_months{};

@@ -140,7 +140,8 @@ std::string summary_json(const MapsSnapshot& snapshot, const SolveOutputOptions&
   summary["graph"] = graph_sizes(snapshot);
   summary["trails"] = {{"length_m", snapshot.trails ? snapshot.trails->total_length() : 0.0},
                        {"routes", snapshot.trails ? snapshot.trails->routes.size() : 0}};
-  summary["warnings"] = snapshot.warnings;
+  summary["warnings"] = Json::array();
+  for (const Warning& warning : snapshot.warnings) summary["warnings"].push_back(warning.text);
   summary["timings_ms"] = timings(snapshot, options, writing_ms);
   summary["peak_memory_mb"] = peak_memory_megabytes();
   return summary.dump(2) + "\n";

@@ -68,15 +68,16 @@ inline constexpr std::size_t most_plans = 1500;
                                                           std::uint64_t seed, std::size_t most = most_plans);
 
 /// Plans of herds (paper algorithm 3): mandatory resources first, capacities, stays from needs and quantities, active hours;
-/// predators follow herds of a level below that they can reach (those that live on plants for more than half plan like grazers).
-/// One plan a herd, levels in order, for the herds of planned_herds. A walk never is faster than the species walks on that slope,
-/// and is on the trails (may be null) where one leads along. Deterministic in `seed`; a herd's draws depend on its species,
-/// region and number there. Herds that graze call at each waypoint of their region with the probability of its attraction, for a
-/// quarter to half an hour. Nobody walks through a forbidden corridor unless there is no way around that is less than about 40
-/// times as long. A herd that an edit names keeps to the edit's stops (it always gets a plan, and follows nobody): it is at each
-/// from the asked hour on until it must go to be at the next in time. If a walk takes longer than there is time, it comes late
-/// and all that follows is later until there is time again; it is back at its first stop after a day, and what does not fit
-/// before is cut short. Of several edits of one herd the last counts.
+/// predators follow herds of a level below that they can reach (those that live on plants for more than half plan like grazers)
+/// and do not lose from sight, within 500 m, while they are active. One plan a herd, levels in order, for the herds of
+/// planned_herds. All of a way lies in its herd's confinement region. A walk never is faster than the species walks on that slope
+/// (predators that fell behind trot, half as fast again), and is on the trails (may be null) where one leads along. Deterministic
+/// in `seed`; a herd's draws depend on its species, region and number there. Herds that graze call at each waypoint of their
+/// region with the probability of its attraction, for a quarter to half an hour. Nobody walks through a forbidden corridor unless
+/// there is no way around that is less than about 40 times as long. A herd that an edit names keeps to the edit's stops (it
+/// always gets a plan, and follows nobody): it is at each from the asked hour on until it must go to be at the next in time. If a
+/// walk takes longer than there is time, it comes late and all that follows is later until there is time again; it is back at its
+/// first stop after a day, and what does not fit before is cut short. Of several edits of one herd the last counts.
 [[nodiscard]] Result<std::vector<DailyPlan>> compute_daily_plans(const FoodWeb& web,
                                                                  std::span<const std::shared_ptr<const AnimalLevel>> levels,
                                                                  std::span<const LevelMovement> movement, const Ground& ground,
@@ -97,7 +98,8 @@ struct NamedHerd {
 [[nodiscard]] std::optional<PlanEdit> edit_of_plan(const DailyPlan& plan, const FoodWeb& web,
                                                    std::span<const std::shared_ptr<const AnimalLevel>> levels);
 
-/// Hours a species is active: diurnal 5-21, crepuscular 4-10 and 16-22, nocturnal 18-6, cathemeral all day (our choice).
+/// Hours a species is active: diurnal 5-21, crepuscular 4-10 and 16-22, nocturnal 18-6, cathemeral 3-8, 10.5-16 and 18.5-24
+/// (our choice).
 [[nodiscard]] std::vector<DailyPlan::Span> active_hours(Activity activity);
 
 /// State at an hour (any real number; taken modulo 24): a pure function of (plan, hour).

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdlib>
 
 #include "core/base/random.hpp"
 #include "core/movement/fine_path.hpp"
@@ -40,10 +41,16 @@ void FineGround::mark_block(PathCell number, std::uint8_t* out, std::size_t pitc
   for (int y = cells.y0; y < cells.y1; ++y) std::fill_n(row_of(y), width, std::uint8_t(1));
   for (const TravelGraph* graph : graphs_) {
     if (open_cells(*graph, number) == 0) continue;
+    const auto& pieces =
+        graph->vertex_of_cell.pieces(std::size_t(number.y) * std::size_t(graph->columns) + std::size_t(number.x));
     for (int y = cells.y0; y < cells.y1; ++y) {
-      const auto vertices = graph->vertex_of_cell.row(y).subspan(std::size_t(cells.x0), width);
       std::uint8_t* const row = row_of(y);
-      for (std::size_t i = 0; i < width; ++i) row[i] = std::uint8_t(row[i] & std::uint8_t(vertices[i] >= 0));
+      if (!pieces) {
+        std::fill_n(row, width, std::uint8_t(0));
+        continue;
+      }
+      const std::uint16_t* piece = pieces->data() + std::size_t(y - cells.y0) * width;
+      for (std::size_t i = 0; i < width; ++i) row[i] = std::uint8_t(row[i] & std::uint8_t(piece[i] != BlockVertices::blocked));
     }
   }
   if (!placed_) return;
@@ -75,19 +82,34 @@ std::uint64_t FineGround::block_key(PathCell number) const {
 
 bool FineGround::clear(PathPoint a, PathPoint b) const {
   if (!passable(a) || !passable(b)) return false;
-  const float longest = std::max(std::abs(b.x - a.x), std::abs(b.y - a.y));
-  const int samples = int(longest / 0.4F) + 1;
-  const float dx = (b.x - a.x) / float(samples);
-  const float dy = (b.y - a.y) / float(samples);
-  // Both ends lie on the grid, and so does all between them.
-  const auto width = std::size_t(height_->width());
-  std::size_t last = height_->size();
-  for (int i = 1; i < samples; ++i) {
-    const std::size_t cell =
-        std::size_t(nearest_cell(a.y + dy * float(i))) * width + std::size_t(nearest_cell(a.x + dx * float(i)));
-    if (cell == last) continue;
-    if (!passable(cell)) return false;
-    last = cell;
+  PathCell at = cell_at(a);
+  const PathCell last = cell_at(b);
+  const double dx = double(b.x) - double(a.x);
+  const double dy = double(b.y) - double(a.y);
+  const int step_x = dx < 0 ? -1 : 1;
+  const int step_y = dy < 0 ? -1 : 1;
+  int left_x = std::abs(last.x - at.x);
+  int left_y = std::abs(last.y - at.y);
+  // Shares of the line up to the next border to the side and up or down, and from one such border to the next.
+  const double over_x = left_x > 0 ? 1 / std::abs(dx) : 0;
+  const double over_y = left_y > 0 ? 1 / std::abs(dy) : 0;
+  double next_x = (0.5 + step_x * (at.x - double(a.x))) * over_x;
+  double next_y = (0.5 + step_y * (at.y - double(a.y))) * over_y;
+  // A line this near to a corner (cells) goes through it, and needs both cells beside it.
+  const double corner = 1e-3 * std::max(over_x, over_y);
+  while (left_x > 0 || left_y > 0) {
+    const bool both = left_x > 0 && left_y > 0;
+    if (both && std::abs(next_x - next_y) < corner && !(open(at.x + step_x, at.y) && open(at.x, at.y + step_y))) return false;
+    if (left_y == 0 || (both && next_x < next_y)) {
+      at.x += step_x;
+      next_x += over_x;
+      --left_x;
+    } else {
+      at.y += step_y;
+      next_y += over_y;
+      --left_y;
+    }
+    if (!open(at.x, at.y)) return false;
   }
   return true;
 }

@@ -38,10 +38,11 @@ class FineGround {
   FineGround(const Ground& ground, std::vector<const TravelGraph*> graphs, const WalkCost& walk, double step,
              const PlacedGround* placed = nullptr);
 
-  [[nodiscard]] bool passable(int x, int y) const { return height_->contains(x, y) && passable(height_->index(x, y)); }
-  [[nodiscard]] bool passable(std::size_t cell) const {
+  [[nodiscard]] bool passable(int x, int y) const { return height_->contains(x, y) && open(x, y); }
+  /// The same of a cell on the grid.
+  [[nodiscard]] bool open(int x, int y) const {
     for (const auto* graph : graphs_) {
-      if (graph->vertex_of_cell[cell] < 0) return false;
+      if (!graph->vertex_of_cell.open(x, y)) return false;
     }
     return true;
   }
@@ -53,7 +54,7 @@ class FineGround {
   /// A hash of what mark_block writes: equal for equal graphs and marks.
   [[nodiscard]] std::uint64_t block_key(PathCell number) const;
   [[nodiscard]] bool passable(PathPoint p) const { return passable(nearest_cell(p.x), nearest_cell(p.y)); }
-  /// Whether the straight line enters no blocked cell (sampled closer than half a cell).
+  /// Whether the straight line enters no blocked cell, not even at a corner.
   [[nodiscard]] bool clear(PathPoint a, PathPoint b) const;
   /// Whether it enters a forbidden one, and whether it enters neither.
   [[nodiscard]] bool forbids(PathPoint a, PathPoint b) const { return placed_ && placed_->forbids(a, b); }

@@ -143,6 +143,12 @@ BoidRun::BoidRun(std::shared_ptr<const HerdCast> cast, std::vector<std::shared_p
   steps_.push_back(std::move(states));
 }
 
+std::vector<int> BoidRun::predators() const {
+  std::vector<int> plans;
+  for (std::size_t i = 0; i + 1 < kept_.size(); ++i) plans.push_back(kept_[i]->plan_number);
+  return plans;
+}
+
 void BoidRun::neighbours(const std::vector<BoidState>& states) {
   around_.assign(states.size(), {});
   sort_by_x(states, order_);

@@ -62,6 +62,8 @@ class BoidRun {
     return sizeof(BoidRun) + guides_.bytes() + steps_.size() * a_step + 2 * sizeof(HerdGuide) * cast_->members.size();
   }
   [[nodiscard]] HerdGuides& guides() { return guides_; }
+  /// Predators that were within sight when it was begun.
+  [[nodiscard]] std::vector<int> predators() const;
   [[nodiscard]] double step() const { return step_; }
 
  private:

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
+#include "core/movement/herd_stays.hpp"
 #include "core/movement/herd_world.hpp"
 
 namespace biotope {
@@ -34,7 +36,19 @@ struct StopLayout {
   std::vector<double> grazing_turn;
 };
 
-/// Everything about a herd's individuals that does not change during the day. A pure function of (world, plan).
+/// Cells a member may stand on: those of the herd's confinement region; all of them where regions are not known.
+struct HerdRegion {
+  std::shared_ptr<const RunMap> labels;
+  std::int32_t label = -1;
+  [[nodiscard]] bool holds(HerdWorld::Cell cell) const { return !labels || (*labels)(cell.x, cell.y) == label; }
+};
+[[nodiscard]] HerdRegion herd_region(const HerdWorld& world, const DailyPlan& plan);
+
+/// Share of a herd that is younger than a year, by the surplus where it lives (young_share).
+[[nodiscard]] double herd_young_share(const HerdWorld& world, const DailyPlan& plan);
+
+/// Everything about a herd's individuals that does not change during the day. A pure function of (world, plan). Its world may be
+/// replaced by one that is the same wherever this herd goes (HerdSimulation::follow).
 struct HerdCast {
   std::shared_ptr<const HerdWorld> world;
   int plan_number = 0;
@@ -44,25 +58,31 @@ struct HerdCast {
   double walk_speed = 1.4;   ///< m/s on flat ground
   double gallop_speed = 9;   ///< m/s
   double wade_depth = 0.5;   ///< m
-  /// Cells a member may stand on: those of the herd's confinement region. Null where regions are not known.
-  std::shared_ptr<const Grid<std::int32_t>> regions;
-  std::int32_t region = -1;
+  double young_share = 0;    ///< of the herd, on the mean
+  HerdRegion region;
   std::vector<HerdMemberTraits> members;
   /// As many as the plan has stops; one at the way's first place when it has none.
   std::vector<StopLayout> stops;
+  /// Herds that its stops were laid out beside, a stop after the other.
+  std::vector<std::vector<HerdStay>> beside;
   /// Plans of herds that eat this one's species.
   std::vector<int> predators;
 
   [[nodiscard]] const DailyPlan& plan() const { return (*world->plans)[std::size_t(plan_number)]; }
-  /// Whether a member may stand there: on the map, in the herd's region, in water no deeper than it wades.
+  /// Whether a member may stand there: on the map and in the herd's region; where that is not known, in water no deeper than it
+  /// wades.
   [[nodiscard]] bool passable(Place place) const;
   /// The place itself, or the last passable one on the straight way to it from `from`.
   [[nodiscard]] Place nearest_passable(Place from, Place place) const;
 };
 
-[[nodiscard]] HerdCast cast_herd(std::shared_ptr<const HerdWorld> world, int plan_number, std::vector<int> predators);
+/// `stays`: those of all herds; null: a herd stands where its plan says, whoever else is there.
+[[nodiscard]] HerdCast cast_herd(std::shared_ptr<const HerdWorld> world, int plan_number, std::vector<int> predators,
+                                 const HerdStays* stays = nullptr);
 
-/// Places of the members at a stop of their plan around `centre`; at water they line up along it.
-[[nodiscard]] StopLayout lay_out_stop(const HerdCast& cast, std::size_t stop, Place centre, bool at_water);
+/// Places of the members at a stop of their plan around `centre`, beside those herds that come there before them and clear of
+/// trunks; at water they line up along it.
+[[nodiscard]] StopLayout lay_out_stop(const HerdCast& cast, std::size_t stop, Place centre, bool at_water,
+                                      std::span<const HerdStay> before);
 
 }  // namespace biotope

@@ -24,9 +24,6 @@ constexpr double nearest_rush = 14;
 
 double turns(double value) { return value * 2 * std::numbers::pi; }
 
-/// How far the members of a standing herd are from its middle, about.
-double herd_radius(const HerdCast& cast) { return 1.3 * cast.body_length * std::sqrt(double(cast.members.size())); }
-
 std::vector<HerdTrack> tracks_of(const std::vector<const HerdCast*>& casts, double from, double until, double step) {
   std::vector<HerdTrack> tracks;
   for (const HerdCast* cast : casts) tracks.emplace_back(*cast, from, until, step);
@@ -37,7 +34,8 @@ std::vector<HerdTrack> tracks_of(const std::vector<const HerdCast*>& casts, doub
 Place rush_way(const HerdCast& predators, const HerdCast* followed, Place from, Place herd) {
   if (!followed) return {};
   const Place way = herd - from;
-  const double reach = std::max(0.0, length(way) - herd_radius(*followed) - nearest_rush);
+  const double reach =
+      std::max(0.0, length(way) - herd_radius(followed->body_length, int(followed->members.size())) - nearest_rush);
   const Place goal = from + unit_of(way) * reach;
   return predators.nearest_passable(from, goal) - from;
 }
@@ -125,6 +123,34 @@ void HerdGuides::at(double seconds, std::vector<HerdGuide>& guides) {
   for (std::size_t i = 0; i < cast_.members.size(); ++i) guides.push_back(guide(i, seconds, situation));
 }
 
+/// Where a member is beside its herd's place while the herd stands.
+Place HerdGuides::offset(std::size_t member, const HerdMoment& moment, Place nibble) const {
+  const auto spot = [&](std::size_t stop) {
+    const StopLayout& layout = cast_.stops[stop];
+    const double eats = moment.feeding;
+    const double drinks = moment.drinking;
+    const double rests = std::max(0.0, 1 - eats - drinks);
+    // A herd that grazes moves on with its plan; the water's edge stays where it is.
+    return (layout.feeding[member] + nibble - layout.centre) * eats + (layout.drinking[member] - moment.at) * drinks +
+           (layout.resting[member] - layout.centre + moment.rests_at - moment.at) * rests;
+  };
+  const Place here = spot(moment.stop);
+  return moment.between > 0 ? here + (spot(moment.next_stop) - here) * moment.between : here;
+}
+
+/// Where a member looks that stands at a place; `turned`: from the herd's heading while it grazes, radians.
+Place HerdGuides::facing(std::size_t member, const HerdMoment& moment, double turned, Place at,
+                         const Situation& situation) const {
+  const StopLayout& stop = cast_.stops[moment.stop];
+  const double turn = (turned + stop.grazing_turn[member]) * moment.feeding + stop.resting_turn[member] * (1 - moment.feeding);
+  Place facing{moment.ahead.x * std::cos(turn) + moment.ahead.y * std::sin(turn),
+               moment.ahead.y * std::cos(turn) - moment.ahead.x * std::sin(turn)};
+  facing = facing * (1 - moment.drinking) + stop.toward_water[member] * (2 * moment.drinking);
+  if (followed_ && moment.hunting > 0)
+    facing = facing * (1 - 0.8 * moment.hunting) + unit_of(situation.quarry - at) * moment.hunting;
+  return unit_of(facing * (1 - moment.march) + moment.ahead * moment.march, moment.ahead);
+}
+
 HerdGuide HerdGuides::guide(std::size_t member, double seconds, const Situation& situation) {
   const HerdMemberTraits& traits = cast_.members[member];
   const HerdMoment moment = track_.at(seconds + traits.lead);
@@ -137,36 +163,15 @@ HerdGuide HerdGuides::guide(std::size_t member, double seconds, const Situation&
   const Hop& drawn = hop(member, std::int64_t(std::floor(hops)));
   const double steps = smooth_step(0.62, 1.0, in_hop);
   const Place nibble = drawn.here + (drawn.there - drawn.here) * steps;
-
-  const auto spot = [&](std::size_t stop) {
-    const StopLayout& layout = cast_.stops[stop];
-    const double eats = moment.feeding;
-    const double drinks = moment.drinking;
-    const double rests = std::max(0.0, 1 - eats - drinks);
-    // A herd that grazes moves on with its plan; the water's edge stays where it is.
-    return (layout.feeding[member] + nibble - layout.centre) * eats + (layout.drinking[member] - moment.at) * drinks +
-           (layout.resting[member] - layout.centre + moment.rests_at - moment.at) * rests;
-  };
-  Place offset = spot(moment.stop);
-  if (moment.between > 0) offset = offset + (spot(moment.next_stop) - offset) * moment.between;
   const Place aside{moment.ahead.y, -moment.ahead.x};
-  guide.at = moment.at + offset * (1 - moment.march) + aside * (traits.lane * moment.march);
+  guide.at = moment.at + offset(member, moment, nibble) * (1 - moment.march) + aside * (traits.lane * moment.march);
 
   const double calm = 1 - moment.march;
   const double vigilance = drawn.looks_up ? smooth_step(0.1, 0.16, in_hop) * (1 - smooth_step(0.3, 0.36, in_hop)) : 0.0;
   const double sips = smooth_step(0.12, 0.2, in_hop) * (1 - smooth_step(0.8, 0.88, in_hop));
   guide.head_down = calm * (moment.feeding * (1 - vigilance) + moment.drinking * sips);
   guide.lying = traits.lies_from < 1 ? calm * smooth_step(traits.lies_from, traits.lies_from + 0.2, moment.resting) : 0.0;
-
-  const StopLayout& stop = cast_.stops[moment.stop];
-  const double turned = (drawn.turn + (drawn.next_turn - drawn.turn) * steps + stop.grazing_turn[member]) * moment.feeding +
-                        stop.resting_turn[member] * (1 - moment.feeding);
-  Place facing{moment.ahead.x * std::cos(turned) + moment.ahead.y * std::sin(turned),
-               moment.ahead.y * std::cos(turned) - moment.ahead.x * std::sin(turned)};
-  facing = facing * (1 - moment.drinking) + stop.toward_water[member] * (2 * moment.drinking);
-  if (followed_ && moment.hunting > 0)
-    facing = facing * (1 - 0.8 * moment.hunting) + unit_of(situation.quarry - guide.at) * moment.hunting;
-  guide.facing = unit_of(facing * (1 - moment.march) + moment.ahead * moment.march, moment.ahead);
+  guide.facing = facing(member, moment, drawn.turn + (drawn.next_turn - drawn.turn) * steps, guide.at, situation);
 
   if (situation.rush > 0) {
     guide.at = guide.at + situation.rush_offset;

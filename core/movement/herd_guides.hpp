@@ -66,6 +66,9 @@ class HerdGuides {
   };
   [[nodiscard]] const Hop& hop(std::size_t member, std::int64_t number);
   [[nodiscard]] HerdGuide guide(std::size_t member, double seconds, const Situation& situation);
+  [[nodiscard]] Place offset(std::size_t member, const HerdMoment& moment, Place nibble) const;
+  [[nodiscard]] Place facing(std::size_t member, const HerdMoment& moment, double turned, Place at,
+                             const Situation& situation) const;
   void flee(const Situation& situation, Place path, HerdGuide& guide) const;
 
   const HerdCast& cast_;

@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "core/base/parallel.hpp"
+#include "core/movement/herd_bodies.hpp"
+#include "core/movement/herd_simulation_slot.hpp"
 
 namespace biotope {
 
@@ -13,8 +15,6 @@ namespace {
 
 /// Predators farther than this from a herd's place go unnoticed in a run, m: their rush and both herds' members reach no farther.
 constexpr double noticed_distance = 450;
-/// Herds whose casts are kept beyond those of the last call.
-constexpr std::size_t most_casts = 400;
 /// Seconds between the samples of a formula's track.
 constexpr double coarse_step = 10;
 
@@ -23,15 +23,7 @@ float heading_of(Place direction) {
   return float(angle < 0 ? angle + 6.283185307179586 : angle);
 }
 
-/// A checkpoint's number within the day: what follows from it must not depend on which day it is counted from.
-int within_a_day(int checkpoint) { return (checkpoint % checkpoints_per_day + checkpoints_per_day) % checkpoints_per_day; }
-
 int checkpoint_of(double seconds) { return int(std::floor(seconds / checkpoint_seconds)); }
-
-double within_day(double hour) {
-  const double seconds = std::fmod(hour * 3600, day_seconds);
-  return seconds < 0 ? seconds + day_seconds : seconds;
-}
 
 /// What the guide wants of the body, as far as the body is slow enough for it.
 void set_pose(const HerdGuide& guide, const HerdMemberTraits& traits, HerdAnimal& animal) {
@@ -45,33 +37,28 @@ void set_pose(const HerdGuide& guide, const HerdMemberTraits& traits, HerdAnimal
 
 }  // namespace
 
-struct HerdSimulation::Slot {
-  std::shared_ptr<const HerdCast> cast;
-  /// Casts of predators and of the followed herd that runs may need; filled before work is shared out.
-  std::map<int, std::shared_ptr<const HerdCast>> others;
-  std::map<int, std::unique_ptr<BoidRun>> runs;
-  std::uint64_t used = 0;
-  /// Of the last call.
-  int checkpoint = 0;
-};
-
 HerdSimulation::HerdSimulation(std::shared_ptr<const HerdWorld> world)
-    : world_(std::move(world)), predators_(predators_of_plans(*world_)), slots_(world_->plans->size()) {}
+    : world_(std::move(world)), predators_(predators_of_plans(*world_)), stays_(*world_), slots_(world_->plans->size()) {}
 HerdSimulation::~HerdSimulation() = default;
 HerdSimulation::HerdSimulation(HerdSimulation&&) noexcept = default;
 HerdSimulation& HerdSimulation::operator=(HerdSimulation&&) noexcept = default;
 
-std::shared_ptr<const HerdCast> HerdSimulation::cast(int plan) {
+double herd_reach(const HerdWorld& world, const DailyPlan& plan) {
+  const double body = double(world.traits(plan).shape.body_length);
+  return body * (6 + 2.0 * std::sqrt(double(plan.size)) + 0.8 * double(plan.size)) + (plan.followed >= 0 ? 260 : 60);
+}
+
+std::shared_ptr<HerdCast> HerdSimulation::cast(int plan) {
   std::unique_ptr<Slot>& slot = slots_[std::size_t(plan)];
   if (!slot) slot = std::make_unique<Slot>();
   slot->used = uses_;
-  if (!slot->cast) slot->cast = std::make_shared<const HerdCast>(cast_herd(world_, plan, predators_[std::size_t(plan)]));
+  if (!slot->cast) slot->cast = std::make_shared<HerdCast>(cast_herd(world_, plan, predators_[std::size_t(plan)], &stays_));
   return slot->cast;
 }
 
 std::vector<int> HerdSimulation::predators_near(int plan, double from, double until) const {
   const auto place = [&](int number, double seconds) {
-    const double in_day = within_day(seconds / 3600);
+    const double in_day = seconds_within_day(seconds / 3600);
     return world_->place_of(world_->state((*world_->plans)[std::size_t(number)], in_day).at);
   };
   std::vector<int> near;
@@ -96,7 +83,7 @@ void HerdSimulation::prepare(std::span<const HerdRequest> herds, double seconds)
     wanted.push_back(plan);
     if (herds[i].boids > 0) {
       for (const int checkpoint : {checkpoint_of(seconds) - 1, checkpoint_of(seconds)}) {
-        const double start = within_a_day(checkpoint) * checkpoint_seconds;
+        const double start = checkpoint_within_a_day(checkpoint) * checkpoint_seconds;
         const std::vector<int> near = predators_near(plan, start, start + run_seconds);
         others[i].insert(others[i].end(), near.begin(), near.end());
       }
@@ -114,7 +101,7 @@ void HerdSimulation::prepare(std::span<const HerdRequest> herds, double seconds)
 }
 
 BoidRun& HerdSimulation::run(Slot& slot, int checkpoint) {
-  const int number = within_a_day(checkpoint);
+  const int number = checkpoint_within_a_day(checkpoint);
   std::unique_ptr<BoidRun>& run = slot.runs[number];
   if (!run) {
     const double start = number * checkpoint_seconds;
@@ -155,39 +142,54 @@ std::vector<HerdAnimal> HerdSimulation::by_formula(const Slot& slot, double seco
   return animals;
 }
 
+namespace {
+
+/// States of a herd in two runs that fade into each other.
+struct RunStates {
+  std::vector<BoidState> older_at_checkpoint;
+  std::vector<BoidState> newer_at_checkpoint;
+  std::vector<BoidState> older;
+  std::vector<BoidState> newer;
+};
+
+/// Members between two runs, relative to the newer one's origin; `cycles`: of their strides only the fraction.
+std::vector<BoidState> faded(const RunStates& runs, Place shift, double share, std::vector<float>& cycles) {
+  const auto mixed = [share](double a, double b) { return a + (b - a) * share; };
+  std::vector<BoidState> states = runs.newer;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const BoidState& a = runs.older[i];
+    const BoidState& older = runs.older_at_checkpoint[i];
+    BoidState& b = states[i];
+    b.x = float(mixed(double(a.x) + shift.x, double(b.x)));
+    b.y = float(mixed(double(a.y) + shift.y, double(b.y)));
+    // The way around that was the shorter one when the newer run began.
+    const double full = 2 * std::numbers::pi;
+    const double turns = std::round((double(older.angle) - double(runs.newer_at_checkpoint[i].angle)) / full);
+    b.angle = float(mixed(double(a.angle), double(b.angle) + full * turns));
+    b.speed = float(mixed(double(a.speed), double(b.speed)));
+    // Both count strides from their own beginning: whole strides are added so that legs need hardly be moved to agree.
+    const double whole = std::round(double(older.cycles));
+    const double strides = mixed(double(a.cycles), double(b.cycles) + whole);
+    cycles.push_back(float(strides - std::floor(strides)));
+  }
+  return states;
+}
+
+}  // namespace
+
 std::vector<HerdAnimal> HerdSimulation::simulated(Slot& slot, double seconds) {
   const int checkpoint = checkpoint_of(seconds);
   slot.checkpoint = checkpoint;
   const double since = seconds - checkpoint * checkpoint_seconds;
   BoidRun& older = run(slot, checkpoint - 1);
   BoidRun& newer = run(slot, checkpoint);
-  std::vector<BoidState> at_checkpoint;
-  std::vector<BoidState> began;
-  std::vector<BoidState> from_older;
-  std::vector<BoidState> states;
-  older.at(checkpoint_seconds, at_checkpoint);
-  newer.at(0, began);
-  older.at(checkpoint_seconds + since, from_older);
-  newer.at(since, states);
-  const double share = smooth_step(0, checkpoint_seconds, since);
-  const Place shift = older.origin() - newer.origin();
-  const auto mixed = [share](double a, double b) { return a + (b - a) * share; };
-  std::vector<float> cycles(states.size());
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    const BoidState& a = from_older[i];
-    BoidState& b = states[i];
-    b.x = float(mixed(double(a.x) + shift.x, double(b.x)));
-    b.y = float(mixed(double(a.y) + shift.y, double(b.y)));
-    // The way around that was the shorter one when the newer run began.
-    const double full = 2 * std::numbers::pi;
-    const double turns = std::round((double(at_checkpoint[i].angle) - double(began[i].angle)) / full);
-    b.angle = float(mixed(double(a.angle), double(b.angle) + full * turns));
-    b.speed = float(mixed(double(a.speed), double(b.speed)));
-    // Both count strides from their own beginning: whole strides are added so that legs need hardly be moved to agree.
-    const double whole = std::round(double(at_checkpoint[i].cycles));
-    const double strides = mixed(double(a.cycles), double(b.cycles) + whole);
-    cycles[i] = float(strides - std::floor(strides));
-  }
+  RunStates runs;
+  older.at(checkpoint_seconds, runs.older_at_checkpoint);
+  newer.at(0, runs.newer_at_checkpoint);
+  older.at(checkpoint_seconds + since, runs.older);
+  newer.at(since, runs.newer);
+  std::vector<float> cycles;
+  std::vector<BoidState> states = faded(runs, older.origin() - newer.origin(), smooth_step(0, checkpoint_seconds, since), cycles);
   // Members of a mixture may come nearer to each other than those of either run.
   push_apart(*slot.cast, newer.origin(), states, 10);
   std::vector<HerdGuide> guides;
@@ -205,31 +207,84 @@ std::vector<HerdAnimal> HerdSimulation::simulated(Slot& slot, double seconds) {
   return animals;
 }
 
+std::vector<HerdAnimal> HerdSimulation::placed(const HerdRequest& herd, double seconds) {
+  Slot& slot = *slots_[std::size_t(herd.plan)];
+  if (slot.cast->members.empty() || slot.cast->stops.empty()) return {};
+  const float share = std::clamp(herd.boids, 0.0F, 1.0F);
+  if (share <= 0) return by_formula(slot, seconds);
+  std::vector<HerdAnimal> animals = simulated(slot, seconds);
+  if (share >= 1) return animals;
+  const std::vector<HerdAnimal> formula = by_formula(slot, seconds);
+  for (std::size_t m = 0; m < formula.size(); ++m) {
+    HerdAnimal& animal = animals[m];
+    animal.place = formula[m].place + (animal.place - formula[m].place) * double(share);
+    const double a = double(formula[m].heading);
+    const double b = double(animal.heading);
+    animal.heading = heading_of(
+        unit_of(Place{std::sin(a), std::cos(a)} * double(1 - share) + Place{std::sin(b), std::cos(b)} * double(share)));
+  }
+  return animals;
+}
+
+/// The requests and all herds that may stand in the way of one of them, by rising plan.
+std::vector<HerdRequest> HerdSimulation::with_neighbours(std::span<const HerdRequest> herds, double seconds) const {
+  const std::vector<DailyPlan>& plans = *world_->plans;
+  std::vector<HerdRequest> all(herds.begin(), herds.end());
+  std::vector<float> share(plans.size(), -1);
+  std::vector<Place> places;
+  std::vector<double> reaches;
+  for (const DailyPlan& plan : plans) {
+    places.push_back(world_->place_of(world_->state(plan, seconds).at));
+    reaches.push_back(herd_reach(*world_, plan));
+  }
+  for (const HerdRequest& herd : herds) {
+    const auto h = std::size_t(herd.plan);
+    for (std::size_t p = 0; p < plans.size(); ++p) {
+      const double reach = reaches[p] + reaches[h] + settling_reach;
+      const Place gap = places[p] - places[h];
+      if (dot(gap, gap) < reach * reach) share[p] = std::max(share[p], herd.boids);
+    }
+  }
+  for (const HerdRequest& herd : herds) share[std::size_t(herd.plan)] = -1;
+  for (std::size_t p = 0; p < plans.size(); ++p) {
+    if (share[p] >= 0) all.push_back({int(p), share[p]});
+  }
+  std::sort(all.begin(), all.end(), [](const HerdRequest& a, const HerdRequest& b) { return a.plan < b.plan; });
+  return all;
+}
+
+/// Moves all animals apart that stand in each other or in trunks.
+void HerdSimulation::settle_herds(std::span<const HerdRequest> herds, std::vector<std::vector<HerdAnimal>>& animals) const {
+  std::vector<HerdBody> bodies;
+  for (std::size_t i = 0; i < herds.size(); ++i) {
+    const HerdCast& cast = *slots_[std::size_t(herds[i].plan)]->cast;
+    for (std::size_t m = 0; m < animals[i].size(); ++m) {
+      const HerdAnimal& animal = animals[i][m];
+      bodies.push_back(herd_body(cast, double(animal.size), animal.place, double(animal.heading), double(animal.speed),
+                                 (std::uint64_t(herds[i].plan) << 32U) + m));
+    }
+  }
+  settle(*world_, bodies);
+  std::size_t next = 0;
+  for (std::vector<HerdAnimal>& herd : animals) {
+    for (HerdAnimal& animal : herd) animal.place = bodies[next++].at;
+  }
+}
+
 std::vector<std::vector<HerdAnimal>> HerdSimulation::animals(std::span<const HerdRequest> herds, double hour) {
   ++uses_;
-  const double seconds = within_day(hour);
-  prepare(herds, seconds);
-  std::vector<std::vector<HerdAnimal>> result(herds.size());
-  parallel_each(herds.size(), [&](std::size_t i) {
-    Slot& slot = *slots_[std::size_t(herds[i].plan)];
-    if (slot.cast->members.empty() || slot.cast->stops.empty()) return;
-    const float share = std::clamp(herds[i].boids, 0.0F, 1.0F);
-    if (share <= 0) {
-      result[i] = by_formula(slot, seconds);
-      return;
-    }
-    result[i] = simulated(slot, seconds);
-    if (share >= 1) return;
-    const std::vector<HerdAnimal> formula = by_formula(slot, seconds);
-    for (std::size_t m = 0; m < formula.size(); ++m) {
-      HerdAnimal& animal = result[i][m];
-      animal.place = formula[m].place + (animal.place - formula[m].place) * double(share);
-      const double a = double(formula[m].heading);
-      const double b = double(animal.heading);
-      animal.heading = heading_of(
-          unit_of(Place{std::sin(a), std::cos(a)} * double(1 - share) + Place{std::sin(b), std::cos(b)} * double(share)));
-    }
-  });
+  const double seconds = seconds_within_day(hour);
+  const std::vector<HerdRequest> all = with_neighbours(herds, seconds);
+  prepare(all, seconds);
+  std::vector<std::vector<HerdAnimal>> animals(all.size());
+  parallel_each(all.size(), [&](std::size_t i) { animals[i] = placed(all[i], seconds); });
+  settle_herds(all, animals);
+  std::vector<std::vector<HerdAnimal>> result;
+  for (const HerdRequest& herd : herds) {
+    const auto found =
+        std::lower_bound(all.begin(), all.end(), herd.plan, [](const HerdRequest& a, int plan) { return a.plan < plan; });
+    result.push_back(std::move(animals[std::size_t(found - all.begin())]));
+  }
   forget_old();
   return result;
 }
@@ -237,43 +292,6 @@ std::vector<std::vector<HerdAnimal>> HerdSimulation::animals(std::span<const Her
 std::vector<HerdAnimal> HerdSimulation::animals(int plan, double hour) {
   const HerdRequest request{plan, 1};
   return std::move(animals(std::span(&request, 1), hour).front());
-}
-
-std::size_t HerdSimulation::bytes() const {
-  std::size_t sum = 0;
-  for (const auto& slot : slots_) {
-    if (!slot) continue;
-    for (const auto& [number, run] : slot->runs) sum += run->bytes();
-  }
-  return sum;
-}
-
-void HerdSimulation::forget_old() {
-  std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < slots_.size(); ++i) {
-    if (slots_[i]) kept.push_back(i);
-  }
-  std::stable_sort(kept.begin(), kept.end(), [&](std::size_t a, std::size_t b) { return slots_[a]->used < slots_[b]->used; });
-  std::size_t held = bytes();
-  std::size_t casts = kept.size();
-  for (const std::size_t i : kept) {
-    // A picture may take several calls: those of the last ones count as in use.
-    if (slots_[i]->used + 2 >= uses_) {
-      // Of those in use only the runs of the moment stay.
-      auto& runs = slots_[i]->runs;
-      for (auto run = runs.begin(); held > most_bytes && run != runs.end();) {
-        const bool of_the_moment =
-            run->first == slots_[i]->checkpoint || (run->first + 1) % checkpoints_per_day == slots_[i]->checkpoint;
-        if (!of_the_moment) held -= run->second->bytes();
-        run = of_the_moment ? std::next(run) : runs.erase(run);
-      }
-      continue;
-    }
-    if (held <= most_bytes && casts <= most_casts) continue;
-    for (const auto& [number, run] : slots_[i]->runs) held -= run->bytes();
-    slots_[i].reset();
-    --casts;
-  }
 }
 
 }  // namespace biotope

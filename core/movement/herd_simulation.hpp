@@ -31,16 +31,25 @@ struct HerdRequest {
   float boids = 1;
 };
 
+/// Farthest from its plan's place that a member of a herd is, m, about.
+[[nodiscard]] double herd_reach(const HerdWorld& world, const DailyPlan& plan);
+
 /// The individuals of herds at any hour of the day. Each herd is simulated from checkpoints a minute apart; what is shown is a
 /// cross-fade of the run that began at the last checkpoint and the one before, so that there is no jump at a checkpoint and every
 /// hour has one answer, the same to the bit in whichever order hours are asked for and for any number of threads. Keeps recent
-/// runs, so that playing costs a step and scrubbing at most three minutes of simulation a herd.
+/// runs, so that playing costs a step and scrubbing at most three minutes of simulation a herd. Last, animals of all herds are
+/// moved apart, and out of trunks (settle): a function of the hour too, since all herds that could be in the way are placed as
+/// well.
 class HerdSimulation {
  public:
   explicit HerdSimulation(std::shared_ptr<const HerdWorld> world);
   ~HerdSimulation();
   HerdSimulation(HerdSimulation&&) noexcept;
   HerdSimulation& operator=(HerdSimulation&&) noexcept;
+
+  /// Takes another world in place of the one it has. What is known of herds whose plan and surroundings are the same in both is
+  /// kept, and no answer differs from that of a new simulation.
+  void follow(std::shared_ptr<const HerdWorld> world);
 
   /// The animals of each requested herd, in order of the requests; a plan may be asked for once. Parallel over herds.
   [[nodiscard]] std::vector<std::vector<HerdAnimal>> animals(std::span<const HerdRequest> herds, double hour);
@@ -53,16 +62,22 @@ class HerdSimulation {
 
  private:
   struct Slot;
-  [[nodiscard]] std::shared_ptr<const HerdCast> cast(int plan);
+  [[nodiscard]] std::shared_ptr<HerdCast> cast(int plan);
   void prepare(std::span<const HerdRequest> herds, double seconds);
   [[nodiscard]] std::vector<int> predators_near(int plan, double from, double until) const;
   BoidRun& run(Slot& slot, int checkpoint);
   [[nodiscard]] std::vector<HerdAnimal> by_formula(const Slot& slot, double seconds) const;
   [[nodiscard]] std::vector<HerdAnimal> simulated(Slot& slot, double seconds);
+  [[nodiscard]] std::vector<HerdAnimal> placed(const HerdRequest& herd, double seconds);
+  [[nodiscard]] std::vector<HerdRequest> with_neighbours(std::span<const HerdRequest> herds, double seconds) const;
+  void settle_herds(std::span<const HerdRequest> herds, std::vector<std::vector<HerdAnimal>>& animals) const;
   void forget_old();
+  [[nodiscard]] bool same_herd(const HerdCast& cast, const HerdWorld& before) const;
+  void keep_runs(Slot& slot, const HerdWorld& before) const;
 
   std::shared_ptr<const HerdWorld> world_;
   std::vector<std::vector<int>> predators_;
+  HerdStays stays_;
   std::vector<std::unique_ptr<Slot>> slots_;
   std::uint64_t uses_ = 0;
 };

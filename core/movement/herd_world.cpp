@@ -24,7 +24,9 @@ float HerdWorld::depth_at(Place place) const {
 }
 
 float HerdWorld::shore_at(Place place) const {
-  if (shore) return shore(place);
+  if (details) {
+    if (const std::optional<float> shore = details->shore(place)) return *shore;
+  }
   return depth_at(place) > 0 ? 1.0F : -1.0F;
 }
 
@@ -37,6 +39,37 @@ double HerdWorld::slope_along(Place place, Place direction) const {
 
 HerdState HerdWorld::state(const DailyPlan& plan, double seconds) const {
   return herd_state(plan, graph_of(plan), seconds / 3600, terrain().cell_size);
+}
+
+namespace {
+
+/// Whether cells of two grids of one size are equal; a grid that is not there equals one that is not either.
+bool same_cells(const Grid<float>* a, const Grid<float>* b, HerdWorld::Cell first, HerdWorld::Cell last) {
+  const bool none = a == nullptr || a->empty();
+  if (none || b == nullptr || b->empty()) return none == (b == nullptr || b->empty());
+  if (a == b) return true;
+  for (int y = first.y; y <= last.y; ++y) {
+    const std::size_t begin = std::size_t(y) * std::size_t(a->width());
+    const auto from = a->cells().begin() + std::ptrdiff_t(begin);
+    if (!std::equal(from + first.x, from + last.x + 1, b->cells().begin() + std::ptrdiff_t(begin) + first.x)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool HerdWorld::same_within(const HerdWorld& other, Place low, Place high) const {
+  const Cell north_west = cell_of({low.x, high.y});
+  const Cell south_east = cell_of({high.x, low.y});
+  const auto same = [&](const auto& here, const auto& there, auto member) {
+    return here == there ||
+           same_cells(here ? &((*here).*member) : nullptr, there ? &((*there).*member) : nullptr, north_west, south_east);
+  };
+  if (!same(ground.hydrology, other.ground.hydrology, &Hydrology::water_depth)) return false;
+  if (!same(ground.derivatives, other.ground.derivatives, &Derivatives::east)) return false;
+  if (!same(ground.derivatives, other.ground.derivatives, &Derivatives::north)) return false;
+  if (details == other.details) return true;
+  return details && other.details && details->same_within(*other.details, low, high);
 }
 
 std::vector<std::vector<int>> predators_of_plans(const HerdWorld& world) {

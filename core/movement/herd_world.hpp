@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/movement/daily_plan.hpp"
@@ -33,6 +33,26 @@ struct Place {
   return c * c * (3 - 2 * c);
 }
 
+/// The foot of a tree's trunk.
+struct Stem {
+  Place at;
+  double radius = 0;  ///< m
+  bool operator==(const Stem&) const = default;
+};
+
+/// What animals heed that is finer than the terrain's cells. Asked from several threads; an answer never changes.
+class HerdDetails {
+ public:
+  virtual ~HerdDetails() = default;
+  /// Metres from the nearest shore, positive in water, where water is drawn finer than the terrain's cells; nothing where it is
+  /// not.
+  [[nodiscard]] virtual std::optional<float> shore(Place place) const = 0;
+  /// Appends the trunks whose middle is within low <= middle < high, in an order that depends on the rectangle alone.
+  virtual void stems(Place low, Place high, std::vector<Stem>& stems) const = 0;
+  /// Whether another one answers the same within a rectangle.
+  [[nodiscard]] virtual bool same_within(const HerdDetails& other, Place low, Place high) const = 0;
+};
+
 /// What individual animals need to know of a landscape: a value, shared and never changed.
 struct HerdWorld {
   std::shared_ptr<const FoodWeb> web;
@@ -41,9 +61,8 @@ struct HerdWorld {
   std::shared_ptr<const ResourceAccessGraph> graph;
   std::shared_ptr<const std::vector<DailyPlan>> plans;
   std::uint64_t seed = 1;
-  /// Metres from the nearest shore, positive in water, where water is drawn finer than the terrain's cells; without it water is
-  /// where the hydrology has any.
-  std::function<float(Place)> shore;
+  /// Without it water is where the hydrology has any, and there are no trunks.
+  std::shared_ptr<const HerdDetails> details;
 
   [[nodiscard]] const Terrain& terrain() const { return *ground.terrain; }
   [[nodiscard]] const AnimalTraits& traits(const DailyPlan& plan) const {
@@ -65,6 +84,8 @@ struct HerdWorld {
   /// Rise over run in a direction (unit vector).
   [[nodiscard]] double slope_along(Place place, Place direction) const;
   [[nodiscard]] HerdState state(const DailyPlan& plan, double seconds) const;
+  /// Whether water, slopes and details are the same in another world of the same extent within a rectangle.
+  [[nodiscard]] bool same_within(const HerdWorld& other, Place low, Place high) const;
 };
 
 /// Seconds of a day.

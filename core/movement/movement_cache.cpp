@@ -1,8 +1,9 @@
 #include "core/movement/movement_cache.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <bit>
+#include <cassert>
+#include <cstdlib>
 #include <optional>
 
 #include "core/base/random.hpp"
@@ -24,33 +25,27 @@ std::shared_ptr<const TravelGraph> MovementCache::graph(const Ground& ground,
            entry.terrain->cell_size == ground.terrain->cell_size;
   });
   GraphEntry entry{ground.terrain, ground.hydrology, regions, block, -1, nullptr, {}, 0, {}, {}, {}};
-  Grid<std::int32_t> memory;
-  if (!memory_.empty()) {
-    memory = std::move(memory_.back());
-    memory_.pop_back();
-  }
   std::optional<KnownGraph> base;
   if (known != graphs_.rend())
-    base.emplace(KnownGraph{*known->graph, known->blocks, known->regions->label, same_ground(ground, *known)});
-  entry.graph = std::make_shared<TravelGraph>(
-      build_travel_graph(ground, *regions, mobility, block, base ? &*base : nullptr, entry.blocks, std::move(memory)));
+    base.emplace(KnownGraph{*known->graph, known->blocks, known->regions->label,
+                            same_ground(ground, known->terrain, known->hydrology, block)});
+  entry.graph =
+      std::make_shared<TravelGraph>(build_travel_graph(ground, *regions, mobility, block, base ? &*base : nullptr, entry.blocks));
   graphs_.push_back(std::move(entry));
   return graphs_.back().graph;
 }
 
-std::vector<char> MovementCache::same_ground(const Ground& ground, const GraphEntry& known) {
-  if (known.terrain == ground.terrain && known.hydrology == ground.hydrology) return {};
+std::vector<char> MovementCache::same_ground(const Ground& ground, const std::shared_ptr<const Terrain>& terrain,
+                                             const std::shared_ptr<const Hydrology>& hydrology, int block) {
+  if (terrain == ground.terrain && hydrology == ground.hydrology) return {};
   SameGround& last = same_ground_;
-  const bool asked = last.terrain[0] == known.terrain && last.terrain[1] == ground.terrain &&
-                     last.hydrology[0] == known.hydrology && last.hydrology[1] == ground.hydrology && last.block == known.block;
+  const bool asked = last.terrain[0] == terrain && last.terrain[1] == ground.terrain && last.hydrology[0] == hydrology &&
+                     last.hydrology[1] == ground.hydrology && last.block == block;
   if (!asked) {
     Ground before = ground;
-    before.terrain = known.terrain;
-    before.hydrology = known.hydrology;
-    last = {{known.terrain, ground.terrain},
-            {known.hydrology, ground.hydrology},
-            known.block,
-            blocks_of_same_ground(before, ground, known.block)};
+    before.terrain = terrain;
+    before.hydrology = hydrology;
+    last = {{terrain, ground.terrain}, {hydrology, ground.hydrology}, block, blocks_of_same_ground(before, ground, block)};
   }
   return last.same;
 }
@@ -90,25 +85,32 @@ void MovementCache::end_graphs(std::span<const std::shared_ptr<const TravelGraph
       ++entry.unused_runs;
     }
   }
-  for (GraphEntry& entry : graphs_) {
-    if (entry.unused_runs >= 2) forget(entry);
-  }
   std::erase_if(graphs_, [](const GraphEntry& entry) { return entry.unused_runs >= 2; });
 }
 
-void MovementCache::begin_paths(const Ground& ground) {
-  if (terrain_ != ground.terrain || hydrology_ != ground.hydrology) paths_.clear();
+void MovementCache::begin_paths(const Ground& ground, int block) {
+  ++run_;
+  const Rect map = ground.terrain->height.rect();
+  const int columns = (map.width() + block - 1) / block;
+  const int rows = (map.height() + block - 1) / block;
+  const bool alike = terrain_ && terrain_->height.rect() == map && terrain_->cell_size == ground.terrain->cell_size &&
+                     path_block_ == block && bool(hydrology_) == bool(ground.hydrology);
+  if (!alike) {
+    paths_.clear();
+    since_ = Grid<std::uint64_t>(columns, rows, run_);
+  } else if (const auto same = same_ground(ground, terrain_, hydrology_, block); !same.empty()) {
+    for (std::size_t i = 0; i < same.size(); ++i) {
+      if (same[i]) continue;
+      const int x = int(i) % columns;
+      const int y = int(i) / columns;
+      // What samples the ground between cells reads beside a block too.
+      const Rect around = intersection({x - 1, y - 1, x + 2, y + 2}, since_.rect());
+      for (int ny = around.y0; ny < around.y1; ++ny) std::fill_n(since_.row(ny).begin() + around.x0, around.width(), run_);
+    }
+  }
   terrain_ = ground.terrain;
   hydrology_ = ground.hydrology;
-  ++run_;
-}
-
-void MovementCache::forget(GraphEntry& entry) {
-  constexpr std::size_t most_kept = 2;
-  if (entry.graph.use_count() != 1 || memory_.size() >= most_kept) return;
-  // What the last other owner read happened before it let go.
-  std::atomic_thread_fence(std::memory_order_acquire);
-  memory_.push_back(std::move(entry.graph->vertex_of_cell));
+  path_block_ = block;
 }
 
 const std::vector<PathCell>* MovementCache::path(std::uint64_t key) const {
@@ -126,12 +128,23 @@ void MovementCache::end_paths() {
   std::erase_if(paths_, [this](const auto& entry) { return entry.second.run + 1 < run_; });
 }
 
-std::uint64_t path_key(const FineGround& ground, const Tube& tube, PathCell from, PathCell to, const Mobility& mobility) {
+std::uint64_t MovementCache::path_key(const FineGround& ground, const Tube& tube, PathCell from, PathCell to,
+                                      const Mobility& mobility) const {
+  assert(ground.block() == path_block_);
   const auto pair = [](int a, int b) { return (std::uint64_t(std::uint32_t(a)) << 32) | std::uint32_t(b); };
   const auto bits = [](float value) { return std::uint64_t(std::bit_cast<std::uint32_t>(value)); };
   std::uint64_t key =
       random_bits({pair(from.x, from.y), pair(to.x, to.y), bits(mobility.max_slope), bits(mobility.slope_sensitivity)});
-  for (const PathCell& block : tube.blocks) key = mix_bits(mix_bits(key ^ pair(block.x, block.y)) ^ ground.block_key(block));
+  const auto add = [&](const PathCell& block) {
+    key = mix_bits(mix_bits(key ^ pair(block.x, block.y)) ^ ground.block_key(block) ^ mix_bits(since_(block.x, block.y)));
+  };
+  for (const PathCell& block : tube.blocks) add(block);
+  // The straight line between the ends is looked at too, wherever it goes.
+  const int span = std::max(std::abs(to.x - from.x), std::abs(to.y - from.y));
+  const int samples = 2 * (span / path_block_ + 1);
+  for (int i = 0; i <= samples; ++i) {
+    add({(from.x + (to.x - from.x) * i / samples) / path_block_, (from.y + (to.y - from.y) * i / samples) / path_block_});
+  }
   return key;
 }
 

@@ -37,8 +37,13 @@ class MovementCache {
   /// Ends a run of a level over its mobilities: forgets graphs of the level that neither it nor the run before used.
   void end_graphs(std::span<const std::shared_ptr<const TravelGraph>> used, int level);
 
-  /// Begins a run over fine paths; forgets all when the ground is another.
-  void begin_paths(const Ground& ground);
+  /// Begins a run over fine paths in tubes of blocks of this side, and notes in which blocks the ground is another than in the
+  /// run before; forgets all when it has another size.
+  void begin_paths(const Ground& ground, int block);
+  /// Key of a fine path: its ends, what may count for it of the ground, with what is open there, and who walks. In a run over
+  /// fine paths.
+  [[nodiscard]] std::uint64_t path_key(const FineGround& ground, const Tube& tube, PathCell from, PathCell to,
+                                       const Mobility& mobility) const;
   /// The cells found under a key (see path_key); null when it is not known. Safe from several threads while none is kept.
   [[nodiscard]] const std::vector<PathCell>* path(std::uint64_t key) const;
   /// Notes that a path was found or used in this run.
@@ -65,14 +70,11 @@ class MovementCache {
     std::vector<PathCell> cells;
     std::uint64_t run = 0;
   };
-  /// What a new graph can take over from one that is known.
-  [[nodiscard]] std::vector<char> same_ground(const Ground& ground, const GraphEntry& known);
-
-  void forget(GraphEntry& entry);
+  /// By block: where a ground is the same as one of before; empty where it is everywhere.
+  [[nodiscard]] std::vector<char> same_ground(const Ground& ground, const std::shared_ptr<const Terrain>& terrain,
+                                              const std::shared_ptr<const Hydrology>& hydrology, int block);
 
   std::vector<GraphEntry> graphs_;
-  /// Maps of cells of graphs that were forgotten and that nobody else holds: large, and slow to ask of the system again.
-  std::vector<Grid<std::int32_t>> memory_;
   /// Blocks in which two grounds are the same, as they were last asked for.
   struct SameGround {
     std::shared_ptr<const Terrain> terrain[2];
@@ -81,14 +83,13 @@ class MovementCache {
     std::vector<char> same;
   };
   SameGround same_ground_;
+  /// Ground of the last run over fine paths, and by block the run since which it and those around it are as they are.
   std::shared_ptr<const Terrain> terrain_;
   std::shared_ptr<const Hydrology> hydrology_;
+  int path_block_ = 0;
+  Grid<std::uint64_t> since_;
   std::uint64_t run_ = 1;
   std::unordered_map<std::uint64_t, PathEntry> paths_;
 };
-
-/// Key of a fine path: its ends, the tube with what is open in it, and who walks.
-[[nodiscard]] std::uint64_t path_key(const FineGround& ground, const Tube& tube, PathCell from, PathCell to,
-                                     const Mobility& mobility);
 
 }  // namespace biotope

@@ -5,6 +5,7 @@
 
 #include "core/base/random.hpp"
 #include "core/movement/plan_parts.hpp"
+#include "core/movement/travel_search.hpp"
 
 namespace biotope {
 namespace {
@@ -15,6 +16,10 @@ constexpr double ground_per_animal = 100;
 constexpr double bank_per_animal = 10;
 /// No walk of a plan is longer, h. Our choice.
 constexpr float longest_leg = 2;
+/// For food nobody walks longer than so in a day, home again included, but rather stays longer where it is, h; and where water is
+/// farther than this it drinks but once. Our choices.
+constexpr float longest_walk = 1.25F;
+constexpr float far_water = 0.75F;
 /// Detour of a real way against the straight line, to guess the way home. Our choice.
 constexpr double detour = 1.4;
 constexpr std::size_t most_stops = 24;
@@ -37,6 +42,7 @@ class Drafter {
     if (home_ < 0) return day_;
     visits_ = has_banks() ? animal_->water_visits : 0;
     drunk_ = 0;
+    walked_ = 0;
     spans_ = active_hours(animal_->activity);
     span_ = 0;
     hour_ = spans_.front().from;
@@ -127,8 +133,24 @@ class Drafter {
     if (is_bank(number)) ++drunk_;
   }
 
+  void go(int number, float walk) {
+    hour_ += walk;
+    walked_ += walk;
+    stay(number);
+  }
+
+  /// Feeds on where it is.
+  void stay_longer() {
+    const float hours = stay_hours(here()) / 2;
+    for (int h = 0; h <= int(hours); ++h) taken_[std::size_t(here())][slot(hour_ + float(h))] += herd_.size;
+    day_.stays.back().hours += hours;
+    hour_ += hours;
+  }
+
   /// Walks to a bank or to food, drawn by P_s(v' | v) among nodes with room; false when there is none.
-  bool visit(bool bank) {
+  bool visit(bool bank) { return visit(bank, true) || visit(bank, false); }
+  /// `thrifty`: not to food that is too far for this day.
+  bool visit(bool bank, bool thrifty) {
     const auto& edges = input_.movement.edges;
     const std::pair key{herd_.species, here()};
     const auto first = std::lower_bound(edges.begin(), edges.end(), key, [](const SpatialEdge& e, const auto& k) {
@@ -143,16 +165,53 @@ class Drafter {
         const float walk = edge.seconds / 3600;
         if (is_bank(edge.to) != bank || is_waypoint(edge.to) || walk > longest_leg || (!crowded && !room(edge.to, hour_ + walk)))
           return 0.0;
+        if (thrifty && !bank && walked_ + walk + hours_home(edge.to) > longest_walk) return 0.0;
         // What lies far from home is for another day.
         return double(input_.movement.travel->onward[offset + i]) / (1 + double(hours_home(edge.to)));
       });
       if (drawn < 0) continue;
       const SpatialEdge& edge = edges[offset + std::size_t(drawn)];
-      hour_ += edge.seconds / 3600;
-      stay(edge.to);
+      go(edge.to, edge.seconds / 3600);
+      return true;
+    }
+    return bank && !thrifty && visit_nearest_bank();
+  }
+
+  /// Water is a must: where no bank is among the most probable ways onward it goes to the nearest, with room for it if there is
+  /// one.
+  bool visit_nearest_bank() {
+    for (const bool crowded : {false, true}) {
+      const auto [bank, walk] = nearest_bank(crowded);
+      if (bank < 0) continue;
+      go(bank, walk);
+      if (walk > far_water) visits_ = drunk_;
       return true;
     }
     return false;
+  }
+  /// The bank that is reached first from here, and in how many hours; -1 when there is none.
+  [[nodiscard]] std::pair<int, float> nearest_bank(bool crowded) const {
+    const LevelTravel& travel = *input_.movement.travel;
+    const auto number = std::size_t(travel.graph_of_species[std::size_t(day_.species_index)]);
+    const TravelGraph& graph = *travel.graphs[number];
+    const auto vertex = [&](int node) { return travel.vertex_of_node[number][std::size_t(node)]; };
+    std::vector<int> banks;
+    std::vector<std::uint16_t> goals(graph.vertices.size(), 0);
+    for (const auto& presence : presence_) {
+      if (!is_bank(presence.node) || vertex(presence.node) < 0 || presence.node == here()) continue;
+      if (!crowded && !room(presence.node, hour_)) continue;
+      banks.push_back(presence.node);
+      goals[std::size_t(vertex(presence.node))] = 1;
+    }
+    std::pair<int, float> nearest{-1, 0};
+    if (banks.empty() || vertex(here()) < 0) return nearest;
+    TravelSearch search(graph, travel.cost(number));
+    search.run(std::uint32_t(vertex(here())), goals, 1);
+    for (const int bank : banks) {
+      const float hours = search.cost(std::uint32_t(vertex(bank))) / animal_->speed / 3600;
+      if (std::isfinite(hours) && (nearest.first < 0 || hours < nearest.second)) nearest = {bank, hours};
+    }
+    return nearest;
   }
 
   /// Waypoints that are drawn by their attraction, each where it is least out of the way; none that is farther than a walk may
@@ -203,7 +262,10 @@ class Drafter {
     if (thirsty() && !is_bank(here())) return visit(true);
     constexpr float shortest_rest = 1.5F;
     if (span_ + 1 == spans_.size() && hour_ + hours_home(here()) + shortest_rest >= spans_.back().until) return false;
-    return visit(false);
+    if (visit(false, true)) return true;
+    if (is_bank(here())) return visit(false, false);
+    stay_longer();
+    return true;
   }
 
   PlanInput input_;
@@ -219,6 +281,7 @@ class Drafter {
   int visits_ = 0;
   int drunk_ = 0;
   float hour_ = 0;
+  float walked_ = 0;
 };
 
 }  // namespace
@@ -234,7 +297,7 @@ std::vector<DailyPlan::Span> active_hours(Activity activity) {
     case Activity::cathemeral:
       break;
   }
-  return {{0, 24}};
+  return {{3, 8}, {10.5F, 16}, {18.5F, 24}};
 }
 
 int species_index_of(const AnimalLevel& level, const Herd& herd) {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "core/base/random.hpp"
-#include "core/movement/plan_parts.hpp"
+#include "core/movement/plan_track.hpp"
 
 namespace biotope {
 namespace {
@@ -17,125 +17,16 @@ constexpr double stop_wait = 10.0 / 60;
 /// Time to drink where the herd has drunk before, h, and how much longer than needed it gives itself to catch up. Our choice.
 constexpr double drink = 0.25;
 constexpr double spare = 0.1;
-
-/// The herd's walks of a day as one line, with the hour the herd passes each point. Stays take no length: a stop's point is there
-/// twice.
-struct Track {
-  std::vector<PathPoint> points;
-  std::vector<double> along;  ///< m from the first point
-  std::vector<double> hour;
-  std::vector<double> cost;  ///< metres of flat walking from the first point
-  struct Stop {
-    double along = 0;
-    double hour = 0;
-    /// Bank of the herd's level; -1 when it is none.
-    int bank = -1;
-  };
-  std::vector<Stop> stops;
-
-  [[nodiscard]] double length() const { return along.back(); }
-  [[nodiscard]] std::size_t before(double metres) const {
-    const auto after = std::upper_bound(along.begin(), along.end(), metres);
-    return std::min(std::size_t(std::max<std::ptrdiff_t>(0, after - along.begin() - 1)), along.size() - 2);
-  }
-  [[nodiscard]] double fraction(std::size_t i, double metres) const {
-    const double step = along[i + 1] - along[i];
-    return step > 0 ? std::clamp((metres - along[i]) / step, 0.0, 1.0) : 1.0;
-  }
-  [[nodiscard]] double hour_at(double metres) const {
-    if (metres >= length()) return hour.back();
-    const std::size_t i = before(metres);
-    return hour[i] + (hour[i + 1] - hour[i]) * fraction(i, metres);
-  }
-  [[nodiscard]] double cost_at(double metres) const {
-    const std::size_t i = before(metres);
-    return cost[i] + (cost[i + 1] - cost[i]) * fraction(i, metres);
-  }
-  /// How far the herd has come at an hour.
-  [[nodiscard]] double along_at(double at_hour) const {
-    const auto after = std::upper_bound(hour.begin(), hour.end(), at_hour);
-    if (after == hour.begin()) return 0;
-    if (after == hour.end()) return length();
-    const auto i = std::size_t(after - hour.begin()) - 1;
-    return along[i] + (along[i + 1] - along[i]) * std::clamp((at_hour - hour[i]) / (hour[i + 1] - hour[i]), 0.0, 1.0);
-  }
-  [[nodiscard]] PathPoint point_at(double metres) const {
-    const std::size_t i = before(metres);
-    const auto t = float(fraction(i, metres));
-    return {points[i].x + (points[i + 1].x - points[i].x) * t, points[i].y + (points[i + 1].y - points[i].y) * t};
-  }
-};
-
-/// Hours the herd is as far along its leg as the points of another way between the same ends.
-std::vector<float> hours_along(const CourseLeg& leg, const std::vector<PathPoint>& points) {
-  const auto lengths = [](const std::vector<PathPoint>& line) {
-    std::vector<double> sum{0};
-    for (std::size_t i = 1; i < line.size(); ++i) {
-      sum.push_back(sum.back() + std::hypot(double(line[i].x - line[i - 1].x), double(line[i].y - line[i - 1].y)));
-    }
-    return sum;
-  };
-  const auto theirs = lengths(leg.points);
-  const auto ours = lengths(points);
-  std::vector<float> hours;
-  std::size_t k = 0;
-  for (const double length : ours) {
-    const double at = ours.back() > 0 ? length / ours.back() * theirs.back() : 0;
-    while (k + 2 < theirs.size() && theirs[k + 1] < at) ++k;
-    const double step = theirs[k + 1] - theirs[k];
-    const double t = step > 0 ? std::clamp((at - theirs[k]) / step, 0.0, 1.0) : 1.0;
-    hours.push_back(float(double(leg.hours[k]) + (double(leg.hours[k + 1]) - double(leg.hours[k])) * t));
-  }
-  return hours;
-}
-
-bool can_walk(const FineGround& ground, const std::vector<PathPoint>& points) {
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    if (!ground.clear(points[i], points[i + 1])) return false;
-  }
-  return true;
-}
-
-/// The herd's track over ground the predator can walk; empty when there is none.
-Track track_of(const PlanInput& input, int graph, const FollowedHerd& followed, const FineGround& ground) {
-  Track track;
-  for (const CourseLeg& leg : *followed.course) {
-    if (leg.points.size() < 2) continue;
-    std::vector<PathPoint> points = leg.points;
-    std::vector<float> hours = leg.hours;
-    if (!can_walk(ground, points)) {
-      const PathCell from = cell_at(points.front());
-      const PathCell to = cell_at(points.back());
-      if (!ground.passable(from.x, from.y) || !ground.passable(to.x, to.y)) return {};
-      points = way_between(input, graph, ground, from, to).points;
-      if (points.size() < 2) return {};
-      hours = hours_along(leg, points);
-    }
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      double metres = 0;
-      double cost = 0;
-      if (!track.points.empty()) {
-        cost = track.cost.back() + ground.walk_between(track.points.back(), points[i]);
-        metres = track.along.back() +
-                 std::hypot(double(points[i].x - track.points.back().x), double(points[i].y - track.points.back().y)) *
-                     ground.cell_size();
-      }
-      track.points.push_back(points[i]);
-      track.along.push_back(metres);
-      track.cost.push_back(cost);
-      track.hour.push_back(double(hours[i]));
-    }
-    const int node = followed.day->stops[std::size_t(leg.to_stop)].node;
-    const bool water = followed.graph->nodes[std::size_t(node)].kind == NodeKind::bank;
-    track.stops.push_back({track.along.back(), double(hours.back()), water ? node : -1});
-  }
-  return track;
-}
+/// Who falls behind trots: as much faster than it walks. Our choice; wolves travel at some 8 km/h and walk at 5.
+constexpr double trot = 1.5;
+/// A herd is lost from sight beyond this, m, and its places are compared so often, h. Our choice.
+constexpr double sight = 480;
+constexpr double sight_step = 0.01;
 
 /// Writes a predator's day along a track.
 class Follower {
  public:
-  Follower(const PlanInput& input, int herd, const FollowedHerd& followed, const FineGround& ground, const Track& track)
+  Follower(const PlanInput& input, int herd, const FollowedHerd& followed, const FineGround& ground, const FollowedTrack& track)
       : input_(input), followed_(followed), ground_(ground), track_(track) {
     const Herd& pack = input.level.herds[std::size_t(herd)];
     const AnimalTraits& animal = input.web.species[std::size_t(pack.species)].animal();
@@ -149,13 +40,9 @@ class Follower {
 
   std::optional<std::pair<DailyPlan, HerdCourse>> write() {
     const double start = track_.hour.front();
-    // The evening before it stopped short of the herd's home; from there it walks on when the herd leaves.
-    const double hold = track_.length() - gap_;
-    put(start, track_.point_at(hold));
-    const std::size_t first = track_.before(hold) + 1;
-    for (std::size_t i = first; i < track_.points.size(); ++i) go(track_.along[i] - track_.length(), track_.points[i]);
-    for (std::size_t i = 1; i < track_.points.size() && track_.along[i] < hold; ++i) go(track_.along[i], track_.points[i]);
-    go(hold, track_.point_at(hold));
+    const std::vector<Pass> passes = passes_of_day();
+    put(start, passes.front().at);
+    for (std::size_t i = 1; i < passes.size(); ++i) go(passes[i]);
     if (hour_ > start + 24) return std::nullopt;
     stop(hour_, start + 24, track_.hour.back());
     put(start + 24, plan_.way.front().at);
@@ -163,6 +50,48 @@ class Follower {
   }
 
  private:
+  /// A place of the track and the hour before which it is not passed.
+  struct Pass {
+    double along = 0;
+    PathPoint at;
+    double not_before = 0;
+  };
+
+  /// The evening before it stopped short of the herd's home; from there it walks on when the herd leaves, to the same place
+  /// again.
+  [[nodiscard]] std::vector<Pass> passes_of_day() const {
+    const double hold = resting_place();
+    std::vector<Pass> passes{{hold - track_.length(), track_.point_at(hold), 0}};
+    const std::size_t first = track_.before(hold) + 1;
+    for (std::size_t i = first; i < track_.points.size(); ++i)
+      passes.push_back({track_.along[i] - track_.length(), track_.points[i], 0});
+    for (std::size_t i = 1; i < track_.points.size() && track_.along[i] < hold; ++i)
+      passes.push_back({track_.along[i], track_.points[i], 0});
+    passes.push_back({hold, track_.point_at(hold), 0});
+    for (Pass& pass : passes) pass.not_before = not_before(pass.along);
+    // Nobody waits in water: what it would wait for there it waits for before it wades in.
+    for (std::size_t i = passes.size() - 1; i > 0; --i) {
+      Pass& before = passes[i - 1];
+      if (!wet(before.at)) continue;
+      before.not_before = std::max(before.not_before, passes[i].not_before - hours_between(before.at, passes[i].at));
+    }
+    return passes;
+  }
+  /// How far along the track it rests: a gap before its end, or farther back where that is in water.
+  [[nodiscard]] double resting_place() const {
+    const double hold = track_.length() - gap_;
+    if (!wet(track_.point_at(hold))) return hold;
+    for (std::size_t i = track_.before(hold); i > 0; --i) {
+      if (!wet(track_.points[i])) return track_.along[i];
+    }
+    return hold;
+  }
+  [[nodiscard]] bool wet(PathPoint at) const {
+    const PathCell cell = cell_at(at);
+    return ground_.wet(ground_.height().index(cell.x, cell.y));
+  }
+  [[nodiscard]] double hours_between(PathPoint a, PathPoint b) const { return ground_.walk_between(a, b) / speed_ / 3600; }
+
   void put(double hour, PathPoint at) {
     hour_ = hour;
     at_ = at;
@@ -196,13 +125,13 @@ class Follower {
   /// Time it takes to drink on the way between two places of the track, h.
   [[nodiscard]] double drinking_hours(double from, double until) const {
     double hours = 0;
-    for (const Track::Stop& place : track_.stops)
+    for (const FollowedTrack::Stop& place : track_.stops)
       hours += place.bank >= 0 && place.along > from && place.along <= until ? drink : 0.0;
     return hours;
   }
   [[nodiscard]] double passing_hour(double along) const {
     const double herd_gone = track_.hour_at(along + gap_);
-    for (const Track::Stop& place : track_.stops) {
+    for (const FollowedTrack::Stop& place : track_.stops) {
       if (place.bank >= 0 && along > place.along - gap_ && along <= place.along - std::min(drinking_gap, gap_)) {
         return std::min(herd_gone, place.hour);
       }
@@ -210,19 +139,20 @@ class Follower {
     return herd_gone;
   }
 
-  void go(double along, PathPoint to) {
-    const double walk = ground_.walk_between(at_, to) / speed_ / 3600;
-    const double arrive = std::max(hour_ + walk, not_before(along));
-    const double wait = arrive - walk - hour_;
+  void go(const Pass& pass) {
+    const double walk = hours_between(at_, pass.at);
+    const double wait = pass.not_before - walk - hour_;
+    const double arrive = std::max(hour_ + walk / trot, pass.not_before);
     if (wait > stop_wait) wait_from(hour_, arrive - walk);
     if (wait > short_wait) put(arrive - walk, at_);
-    put(arrive, to);
-    drink_at(along);
+    put(arrive, pass.at);
+    drink_at(pass.along);
   }
 
-  /// Where the herd has drunk before it, it drinks too, unless it just did.
+  /// Where the herd has drunk before it, it drinks too, unless it just did; from the bank, not in the stream.
   void drink_at(double along) {
-    for (const Track::Stop& place : track_.stops) {
+    if (wet(at_)) return;
+    for (const FollowedTrack::Stop& place : track_.stops) {
       if (place.bank < 0 || place.along <= last_along_ || place.along > along || drunk_ >= visits_ || hour_ < last_drink_ + 1)
         continue;
       const int bank = bank_near(followed_.graph->nodes[std::size_t(place.bank)]);
@@ -288,7 +218,7 @@ class Follower {
   const PlanInput& input_;
   const FollowedHerd& followed_;
   const FineGround& ground_;
-  const Track& track_;
+  const FollowedTrack& track_;
   double speed_ = 1;
   double gap_ = 0;
   double latest_ = 24;
@@ -326,6 +256,19 @@ std::optional<std::pair<DailyPlan, HerdCourse>> lie_in_wait(const PlanInput& inp
   return std::pair{std::move(plan), HerdCourse{}};
 }
 
+/// Farthest that a predator is from its herd while it is active, m.
+double farthest_while_active(const PlanInput& input, const DailyPlan& plan, const FollowedHerd& followed, double cell_size) {
+  double farthest = 0;
+  for (const DailyPlan::Span& span : plan.active) {
+    for (double hour = double(span.from); hour < double(span.until); hour += sight_step) {
+      const PathPoint at = herd_state(plan, *input.level.graph, hour, cell_size).at;
+      const PathPoint herd = herd_state(*followed.day, *followed.graph, hour, cell_size).at;
+      farthest = std::max(farthest, std::hypot(double(at.x - herd.x), double(at.y - herd.y)) * cell_size);
+    }
+  }
+  return farthest;
+}
+
 }  // namespace
 
 std::optional<std::pair<DailyPlan, HerdCourse>> follow_herd(const PlanInput& input, int herd, const FollowedHerd& followed,
@@ -333,9 +276,11 @@ std::optional<std::pair<DailyPlan, HerdCourse>> follow_herd(const PlanInput& inp
   if (followed.course->empty()) return lie_in_wait(input, herd, followed, ground);
   const LevelTravel& travel = *input.movement.travel;
   const int species = species_index_of(input.level, input.level.herds[std::size_t(herd)]);
-  const Track track = track_of(input, travel.graph_of_species[std::size_t(species)], followed, ground);
+  const FollowedTrack track = track_of(input, travel.graph_of_species[std::size_t(species)], followed, ground);
   if (track.points.size() < 2 || track.length() <= 0) return std::nullopt;
-  return Follower(input, herd, followed, ground, track).write();
+  auto day = Follower(input, herd, followed, ground, track).write();
+  if (day && farthest_while_active(input, day->first, followed, ground.cell_size()) > sight) return std::nullopt;
+  return day;
 }
 
 }  // namespace biotope

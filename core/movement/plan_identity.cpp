@@ -12,7 +12,7 @@ namespace {
 constexpr int home_reach = 12;
 
 /// Region of the labelled cell nearest to a cell, the first in row order of equals; -1 when there is none near.
-int region_near(const Grid<std::int32_t>& label, PathCell home) {
+int region_near(const RunMap& label, PathCell home) {
   int region = -1;
   int nearest = home_reach * home_reach + 1;
   const Rect near =

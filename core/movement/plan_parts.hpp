@@ -116,7 +116,7 @@ struct FollowedHerd {
 };
 
 /// A predator's day behind a herd (it walks 100 to 300 m after it, nearer at water). Nothing when the herd goes where it cannot
-/// follow.
+/// follow, or would lose it from sight while it is active.
 [[nodiscard]] std::optional<std::pair<DailyPlan, HerdCourse>> follow_herd(const PlanInput& input, int herd,
                                                                           const FollowedHerd& followed, const FineGround& ground);
 

@@ -150,7 +150,7 @@ class DayWriter {
       const PathPoint next{std::round(at.x + float(distance * std::cos(angle))),
                            std::round(at.y + float(distance * std::sin(angle)))};
       if (std::hypot(double(next.x - entry.x), double(next.y - entry.y)) > range) continue;
-      if (!ground_.passable(next) || (area && (*area)(int(next.x), int(next.y)) != number)) continue;
+      if (!stands(next) || (area && (*area)(int(next.x), int(next.y)) != number)) continue;
       if (!ground_.clear(at, next) || !ground_.clear(next, entry)) continue;
       const double there = hour + hours_between(at, next) / stroll;
       const double stand = (3 + 9 * unit(13)) / 60;
@@ -165,6 +165,10 @@ class DayWriter {
       put(hour, at);
     }
     if (at.x != entry.x || at.y != entry.y) put(hour + hours_between(at, entry) / stroll, entry);
+  }
+  /// Whether it may stop there: on passable ground, not in a brook or a ford.
+  [[nodiscard]] bool stands(PathPoint at) const {
+    return ground_.passable(at) && !ground_.wet(ground_.height().index(int(at.x), int(at.y)));
   }
   /// At the slower of the two ways along the line: it is straight and may be long, so every few metres count.
   [[nodiscard]] double hours_between(PathPoint a, PathPoint b) const {

@@ -72,7 +72,7 @@ std::vector<RefinedRoute> RouteRefiner::run(const TaskContext& context) {
   std::vector<std::vector<std::size_t>> by_rank(std::size_t(ranks), std::vector<std::size_t>{});
   for (std::size_t i = pinned_; i < routes_.size(); ++i) by_rank[std::size_t(routes_[i].rank)].push_back(i);
   std::vector<std::vector<Leg>> legs(routes_.size());
-  if (cache_) cache_->begin_paths(ground_);
+  if (cache_ && !jobs_.empty()) cache_->begin_paths(ground_, jobs_.front().graph->block);
   for (const auto& numbers : by_rank) {
     if (context.stopped()) break;
     parallel_each(numbers.size(), [&](std::size_t i) { refined_[numbers[i]] = refine(routes_[numbers[i]], legs[numbers[i]]); });
@@ -108,7 +108,7 @@ int RouteRefiner::heaviest_of(std::span<const std::uint32_t> edges) const {
 }
 
 FineGround RouteRefiner::ground_for(std::uint64_t users, int heaviest) const {
-  std::vector<const Grid<std::int32_t>*> regions;
+  std::vector<const RunMap*> regions;
   std::vector<const TravelGraph*> graphs;
   for (std::size_t j = 0; j < jobs_.size(); ++j) {
     // Species with the same obstacles share their regions.
@@ -158,7 +158,7 @@ std::vector<PathCell> RouteRefiner::leg_on(const FineGround& fine, int heaviest,
                                            PathCell to, std::vector<Leg>& legs) const {
   const Tube tube = tube_around(fine, over, from, to);
   if (!cache_) return fine_path(fine, tube, from, to);
-  Leg leg{path_key(fine, tube, from, to, jobs_[std::size_t(heaviest)].graph->mobility), {}};
+  Leg leg{cache_->path_key(fine, tube, from, to, jobs_[std::size_t(heaviest)].graph->mobility), {}};
   const std::vector<PathCell>* known = cache_->path(leg.key);
   leg.cells = known ? *known : fine_path(fine, tube, from, to);
   legs.push_back(leg);

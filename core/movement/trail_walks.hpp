@@ -14,7 +14,7 @@ struct WalkJob {
   std::shared_ptr<const TravelGraph> graph;
   /// Of its directed edges (LevelTravel::cost).
   std::span<const float> cost;
-  const Grid<std::int32_t>* region = nullptr;
+  const RunMap* region = nullptr;
   std::vector<Walkers> walkers;
   double total = 0;
   /// Vertices where a waypoint is, with its cell: trails over such a vertex lead to the waypoint itself.

@@ -7,6 +7,7 @@
 
 #include "core/base/task_context.hpp"
 #include "core/ecosystem/animal_level.hpp"
+#include "core/movement/block_vertices.hpp"
 
 namespace biotope {
 
@@ -36,7 +37,7 @@ struct TravelGraph {
   float mean_cost = 0;
   float longest_cost = 0;
   /// Vertex of each cell, -1 where blocked.
-  Grid<std::int32_t> vertex_of_cell;
+  BlockVertices vertex_of_cell;
   /// By block, row by row: 0 where all its cells are passable, else a hash of which are.
   std::vector<std::uint64_t> open_cells;
 };

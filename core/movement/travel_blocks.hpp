@@ -17,8 +17,6 @@ struct VertexPair {
 
 /// Parts of a graph by block, row by row, kept so that the next graph is built only where something changed.
 struct TravelBlocks {
-  /// Vertices of block i are [first_vertex[i], first_vertex[i + 1]).
-  std::vector<std::int32_t> first_vertex;
   std::vector<std::vector<VertexPair>> pairs;
 };
 
@@ -26,16 +24,15 @@ struct TravelBlocks {
 struct KnownGraph {
   const TravelGraph& graph;
   const TravelBlocks& blocks;
-  const Grid<std::int32_t>& label;
+  const RunMap& label;
   /// By block: whether heights and water are those of the ground of now; empty where they are everywhere.
   std::vector<char> same_ground;
 };
 
 /// build_travel_graph that takes over from a known graph (null: none) all blocks in which the same cells are passable. The result
-/// is the same without it. `memory` of a graph that nobody needs any more serves for the new one's cells.
+/// is the same without it.
 [[nodiscard]] TravelGraph build_travel_graph(const Ground& ground, const ConfinementRegions& regions, const Mobility& mobility,
-                                             int block, const KnownGraph* known, TravelBlocks& blocks,
-                                             Grid<std::int32_t> memory = {});
+                                             int block, const KnownGraph* known, TravelBlocks& blocks);
 
 /// By block: whether heights and depths of water of two grounds of one size are the same.
 [[nodiscard]] std::vector<char> blocks_of_same_ground(const Ground& a, const Ground& b, int block);

@@ -1,112 +1,22 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
+#include <optional>
 
 #include "core/base/parallel.hpp"
-#include "core/base/random.hpp"
 #include "core/movement/travel.hpp"
 #include "core/movement/travel_blocks.hpp"
+#include "core/movement/travel_pieces.hpp"
 #include "core/movement/walk_cost.hpp"
-#include "core/terrain/tile_changes.hpp"
 
 namespace biotope {
 namespace {
 
-using Label = Grid<std::int32_t>;
-
 using Pair = VertexPair;
-
-bool all_passable(const Label& label, const Rect& block) {
-  for (int y = block.y0; y < block.y1; ++y) {
-    const auto cells = label.row(y).subspan(std::size_t(block.x0), std::size_t(block.width()));
-    if (std::any_of(cells.begin(), cells.end(), [](std::int32_t region) { return region < 0; })) return false;
-  }
-  return true;
-}
-
-/// The cell of `cells` nearest to their mean (the first on ties).
-TravelGraph::Vertex representative(const std::vector<std::array<int, 2>>& cells, int region) {
-  double mean_x = 0;
-  double mean_y = 0;
-  for (const auto& [x, y] : cells) {
-    mean_x += x;
-    mean_y += y;
-  }
-  mean_x /= double(cells.size());
-  mean_y /= double(cells.size());
-  TravelGraph::Vertex best{cells[0][0], cells[0][1], region};
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const auto& [x, y] : cells) {
-    const double distance = (x - mean_x) * (x - mean_x) + (y - mean_y) * (y - mean_y);
-    if (distance < nearest) {
-      nearest = distance;
-      best.x = x;
-      best.y = y;
-    }
-  }
-  return best;
-}
-
-/// The 4-connected pieces inside a block, numbered by their first cell.
-struct BlockPieces {
-  std::vector<TravelGraph::Vertex> vertices;
-  /// Piece of each cell of the block, row by row, -1 where blocked; empty when all cells are in one piece or none is in any.
-  std::vector<std::int32_t> piece_of_cell;
-};
-
-/// A hash of which cells of a block are passable; 0 where all are, else never 0.
-std::uint64_t hash_of_open(const BlockPieces& pieces) {
-  if (pieces.piece_of_cell.empty()) return pieces.vertices.empty() ? 1 : 0;
-  std::uint64_t hash = 1;
-  std::uint64_t bits = 0;
-  for (std::size_t i = 0; i < pieces.piece_of_cell.size(); ++i) {
-    bits = (bits << 1) | std::uint64_t(pieces.piece_of_cell[i] >= 0);
-    if (i % 64 == 63) hash = mix_bits(hash ^ bits);
-  }
-  return mix_bits(hash ^ bits) | 1;
-}
-
-BlockPieces pieces_of_block(const Label& label, const Rect& block) {
-  BlockPieces result;
-  if (all_passable(label, block)) {
-    const int x = block.x0 + block.width() / 2;
-    const int y = block.y0 + block.height() / 2;
-    result.vertices.push_back({x, y, label(x, y)});
-    return result;
-  }
-  std::vector<std::int32_t> number(std::size_t(block.width()) * std::size_t(block.height()), -1);
-  const auto number_at = [&](int x, int y) -> std::int32_t& {
-    return number[std::size_t(y - block.y0) * std::size_t(block.width()) + std::size_t(x - block.x0)];
-  };
-  std::vector<std::array<int, 2>> piece;
-  for (int y = block.y0; y < block.y1; ++y) {
-    for (int x = block.x0; x < block.x1; ++x) {
-      if (label(x, y) < 0 || number_at(x, y) >= 0) continue;
-      const auto own = std::int32_t(result.vertices.size());
-      piece.assign(1, {x, y});
-      number_at(x, y) = own;
-      for (std::size_t i = 0; i < piece.size(); ++i) {
-        const auto [px, py] = piece[i];
-        for (const auto& [dx, dy] : {std::array{1, 0}, std::array{0, 1}, std::array{-1, 0}, std::array{0, -1}}) {
-          const int nx = px + dx;
-          const int ny = py + dy;
-          if (!block.contains(nx, ny) || label(nx, ny) < 0 || number_at(nx, ny) >= 0) continue;
-          number_at(nx, ny) = own;
-          piece.push_back({nx, ny});
-        }
-      }
-      result.vertices.push_back(representative(piece, label(x, y)));
-    }
-  }
-  if (!result.vertices.empty()) result.piece_of_cell = std::move(number);
-  return result;
-}
 
 /// Cost of walking the straight line between two cells on the fine ground, both ways. What the line meets that cannot be walked
 /// counts as a detour: the caller knows that the fine cells connect.
-Pair straight_walk(const Ground& ground, const Label& label, const WalkCost& walk, int stride, const TravelGraph::Vertex& a,
-                   const TravelGraph::Vertex& b) {
+Pair straight_walk(const Ground& ground, const BlockVertices& cells, const WalkCost& walk, int stride,
+                   const TravelGraph::Vertex& a, const TravelGraph::Vertex& b) {
   const Grid<float>& height = ground.terrain->height;
   const Grid<float>* water = ground.hydrology ? &ground.hydrology->water_depth : nullptr;
   const int dx = b.x - a.x;
@@ -124,7 +34,7 @@ Pair straight_walk(const Ground& ground, const Label& label, const WalkCost& wal
     const double run = std::sqrt(double((nx - x) * (nx - x) + (ny - y) * (ny - y))) * ground.terrain->cell_size;
     const auto slope = float((height(nx, ny) - height(x, y)) / run);
     double factor = run;
-    if (label(nx, ny) < 0) factor *= detour_factor;
+    if (!cells.open(nx, ny)) factor *= detour_factor;
     if (water && (*water)(nx, ny) > 0) factor *= wading_factor;
     walked += run;
     forth += factor * walk(slope);
@@ -136,39 +46,24 @@ Pair straight_walk(const Ground& ground, const Label& label, const WalkCost& wal
   return {0, 0, float(forth * length / walked), float(back * length / walked)};
 }
 
-/// Whether the same cells of a block are passable.
-bool same_open_cells(const Label& a, const Label& b, const Rect& block) {
-  for (int y = block.y0; y < block.y1; ++y) {
-    const std::int32_t* one = a.row(y).data() + block.x0;
-    const std::int32_t* other = b.row(y).data() + block.x0;
-    const auto width = std::size_t(block.width());
-    if (std::equal(one, one + width, other)) continue;
-    std::int32_t differs = 0;
-    for (std::size_t x = 0; x < width; ++x) differs |= one[x] ^ other[x];
-    // The sign says what is passable; regions may have other numbers.
-    if (differs < 0) return false;
-  }
-  return true;
-}
-
 /// Builds one graph; the steps share the ground and what has been made so far.
 class Builder {
  public:
   Builder(const Ground& ground, const ConfinementRegions& regions, const Mobility& mobility, int block, const KnownGraph* known)
       : ground_(ground),
         label_(regions.label),
+        rect_(ground.terrain->height.rect()),
         walk_(mobility),
         stride_(walking_stride(ground.terrain->cell_size)),
         known_(known) {
     graph_.mobility = mobility;
     graph_.block = block;
-    graph_.columns = (label_.width() + block - 1) / block;
-    graph_.rows = (label_.height() + block - 1) / block;
+    graph_.vertex_of_cell = BlockVertices(rect_.width(), rect_.height(), block);
+    graph_.columns = (rect_.width() + block - 1) / block;
+    graph_.rows = (rect_.height() + block - 1) / block;
   }
 
-  /// `memory` is overwritten and becomes the graph's map of cells.
-  TravelGraph build(TravelBlocks& blocks, Label memory) {
-    graph_.vertex_of_cell = std::move(memory);
+  TravelGraph build(TravelBlocks& blocks) {
     number_vertices();
     std::vector<std::vector<Pair>> pairs(count());
     parallel_rows(0, graph_.rows, [&](int row) {
@@ -178,7 +73,6 @@ class Builder {
       }
     });
     connect(pairs);
-    blocks.first_vertex = std::move(first_);
     blocks.pairs = std::move(pairs);
     return std::move(graph_);
   }
@@ -189,7 +83,7 @@ class Builder {
     return std::size_t(row) * std::size_t(graph_.columns) + std::size_t(column);
   }
   [[nodiscard]] Rect block_rect(int column, int row) const {
-    return intersection(label_.rect(),
+    return intersection(rect_,
                         {column * graph_.block, row * graph_.block, (column + 1) * graph_.block, (row + 1) * graph_.block});
   }
 
@@ -197,54 +91,37 @@ class Builder {
     std::vector<BlockPieces> found(count());
     graph_.open_cells.assign(count(), 0);
     same_.assign(count(), 0);
-    const auto of_row = [&](int row, const auto& body) {
-      for (int column = 0; column < graph_.columns; ++column) body(block_rect(column, row), number(column, row));
-    };
-    parallel_rows(0, graph_.rows, [&](int row) {
-      of_row(row, [&](const Rect& block, std::size_t i) {
-        same_[i] = known_ != nullptr && same_open_cells(label_, known_->label, block) ? 1 : 0;
-        found[i] = same_[i] ? known_pieces(i) : pieces_of_block(label_, block);
-        graph_.open_cells[i] = same_[i] ? known_->graph.open_cells[i] : hash_of_open(found[i]);
-      });
-    });
-    std::vector<std::int32_t>& first = first_;
+    parallel_rows(0, graph_.rows, [&](int row) { find_pieces(row, found); });
     for (std::size_t i = 0; i < found.size(); ++i) {
-      first.push_back(std::int32_t(graph_.vertices.size()));
+      const auto own = std::int32_t(found[i].vertices.size());
+      graph_.vertex_of_cell.set(i, std::int32_t(graph_.vertices.size()), own, std::move(found[i].piece_of_cell));
       graph_.vertices.insert(graph_.vertices.end(), found[i].vertices.begin(), found[i].vertices.end());
     }
-    first.push_back(std::int32_t(graph_.vertices.size()));
-    // Vertices are written once: the map is large, and a further pass over it costs more than the search for pieces.
-    Label& cells = graph_.vertex_of_cell;
-    if (cells.rect() != label_.rect()) cells = Label(label_.width(), label_.height());
-    parallel_rows(0, graph_.rows, [&](int row) {
-      of_row(row, [&](const Rect& block, std::size_t i) {
-        const std::int32_t all = found[i].vertices.empty() ? -1 : first[i];
-        const std::vector<std::int32_t>& piece_of_cell = found[i].piece_of_cell;
-        for (int y = block.y0; y < block.y1; ++y) {
-          const auto out = cells.row(y).subspan(std::size_t(block.x0), std::size_t(block.width()));
-          if (same_[i] && graph_.open_cells[i] != 0 && all >= 0) {
-            const std::int32_t* before = known_->graph.vertex_of_cell.row(y).data() + block.x0;
-            const std::int32_t shift = first[i] - known_->blocks.first_vertex[i];
-            for (std::size_t x = 0; x < out.size(); ++x) out[x] = before[x] >= 0 ? before[x] + shift : -1;
-            continue;
-          }
-          if (piece_of_cell.empty()) {
-            std::fill(out.begin(), out.end(), all);
-            continue;
-          }
-          const std::int32_t* piece = piece_of_cell.data() + std::size_t(y - block.y0) * out.size();
-          for (std::size_t x = 0; x < out.size(); ++x) out[x] = piece[x] >= 0 ? piece[x] + first[i] : -1;
-        }
-      });
-    });
+  }
+
+  /// The pieces of a row of blocks; what is passable as before is taken over.
+  void find_pieces(int row, std::vector<BlockPieces>& found) {
+    const Rect rows = block_rect(0, row);
+    const bool surely = known_ != nullptr && surely_same_open_rows(label_, known_->label, rows.y0, rows.y1);
+    std::optional<RegionRows> label;
+    std::optional<RegionRows> before;
+    if (!surely) label.emplace(label_, rows.y0, rows.y1);
+    if (!surely && known_ != nullptr) before.emplace(known_->label, rows.y0, rows.y1);
+    for (int column = 0; column < graph_.columns; ++column) {
+      const Rect block = block_rect(column, row);
+      const std::size_t i = number(column, row);
+      same_[i] = surely || (before && same_open_cells(*label, *before, block)) ? 1 : 0;
+      found[i] = same_[i] ? known_pieces(i) : pieces_of_block(*label, block);
+      graph_.open_cells[i] = same_[i] ? known_->graph.open_cells[i] : hash_of_open(found[i]);
+    }
   }
 
   /// The vertices of a block in which the same cells are passable as before, in the regions of now.
   [[nodiscard]] BlockPieces known_pieces(std::size_t i) const {
-    BlockPieces pieces;
-    const auto& vertices = known_->graph.vertices;
-    for (std::int32_t v = known_->blocks.first_vertex[i]; v < known_->blocks.first_vertex[i + 1]; ++v) {
-      const TravelGraph::Vertex& vertex = vertices[std::size_t(v)];
+    const BlockVertices& before = known_->graph.vertex_of_cell;
+    BlockPieces pieces{{}, before.pieces(i)};
+    for (std::int32_t v = before.first(i); v < before.first(i) + before.count(i); ++v) {
+      const TravelGraph::Vertex& vertex = known_->graph.vertices[std::size_t(v)];
       pieces.vertices.push_back({vertex.x, vertex.y, label_(vertex.x, vertex.y)});
     }
     return pieces;
@@ -267,7 +144,7 @@ class Builder {
     const auto renumber = [&](std::uint32_t& v) {
       const TravelGraph::Vertex& vertex = known_->graph.vertices[v];
       const std::size_t block = number(vertex.x / graph_.block, vertex.y / graph_.block);
-      v = std::uint32_t(std::int32_t(v) - known_->blocks.first_vertex[block] + first_[block]);
+      v = std::uint32_t(std::int32_t(v) - known_->graph.vertex_of_cell.first(block) + graph_.vertex_of_cell.first(block));
     };
     for (Pair& pair : pairs) {
       renumber(pair.a);
@@ -283,7 +160,8 @@ class Builder {
     if (a < 0 || b < 0) return;
     const auto same = [&](const Pair& pair) { return pair.a == std::uint32_t(a) && pair.b == std::uint32_t(b); };
     if (std::any_of(pairs.rbegin(), pairs.rend(), same)) return;
-    Pair pair = straight_walk(ground_, label_, walk_, stride_, graph_.vertices[std::size_t(a)], graph_.vertices[std::size_t(b)]);
+    Pair pair = straight_walk(ground_, graph_.vertex_of_cell, walk_, stride_, graph_.vertices[std::size_t(a)],
+                              graph_.vertices[std::size_t(b)]);
     pair.a = std::uint32_t(a);
     pair.b = std::uint32_t(b);
     pairs.push_back(pair);
@@ -292,12 +170,12 @@ class Builder {
   /// Pairs of a block with the blocks east, south, south-east and south-west of it.
   [[nodiscard]] std::vector<Pair> pairs_of(const Rect& block) const {
     std::vector<Pair> pairs;
-    if (block.x1 < label_.width()) {
+    if (block.x1 < rect_.width()) {
       for (int y = block.y0; y < block.y1; ++y) touch(pairs, block.x1 - 1, y, block.x1, y);
     }
-    if (block.y1 < label_.height()) {
+    if (block.y1 < rect_.height()) {
       for (int x = block.x0; x < block.x1; ++x) touch(pairs, x, block.y1 - 1, x, block.y1);
-      if (block.x1 < label_.width()) touch_corner(pairs, block.x1 - 1, 1, block.y1 - 1);
+      if (block.x1 < rect_.width()) touch_corner(pairs, block.x1 - 1, 1, block.y1 - 1);
       if (block.x0 > 0) touch_corner(pairs, block.x0, -1, block.y1 - 1);
     }
     return pairs;
@@ -305,7 +183,7 @@ class Builder {
 
   /// Across a shared corner, where an animal can go diagonally without cutting a blocked corner.
   void touch_corner(std::vector<Pair>& pairs, int x, int side, int y) const {
-    if (label_(x + side, y) < 0 || label_(x, y + 1) < 0) return;
+    if (!graph_.vertex_of_cell.open(x + side, y) || !graph_.vertex_of_cell.open(x, y + 1)) return;
     touch(pairs, x, y, x + side, y + 1);
   }
 
@@ -347,13 +225,13 @@ class Builder {
   }
 
   const Ground& ground_;
-  const Label& label_;
+  const RunMap& label_;
+  Rect rect_;
   WalkCost walk_;
   int stride_;
   const KnownGraph* known_;
   /// By block: whether the same cells are passable as before.
   std::vector<char> same_;
-  std::vector<std::int32_t> first_;
   TravelGraph graph_;
 };
 
@@ -372,32 +250,15 @@ int walking_stride(double cell_size) {
 TravelGraph build_travel_graph(const Ground& ground, const ConfinementRegions& regions, const Mobility& mobility, int block) {
   assert(block >= 1 && regions.label.rect() == ground.terrain->height.rect());
   TravelBlocks blocks;
-  return Builder(ground, regions, mobility, block, nullptr).build(blocks, {});
+  return Builder(ground, regions, mobility, block, nullptr).build(blocks);
 }
 
 TravelGraph build_travel_graph(const Ground& ground, const ConfinementRegions& regions, const Mobility& mobility, int block,
-                               const KnownGraph* known, TravelBlocks& blocks, Grid<std::int32_t> memory) {
+                               const KnownGraph* known, TravelBlocks& blocks) {
   assert(block >= 1 && regions.label.rect() == ground.terrain->height.rect());
   assert(known == nullptr ||
          (known->label.rect() == regions.label.rect() && known->graph.block == block && known->graph.mobility == mobility));
-  return Builder(ground, regions, mobility, block, known).build(blocks, std::move(memory));
-}
-
-std::vector<char> blocks_of_same_ground(const Ground& a, const Ground& b, int block) {
-  const Grid<float>& height = a.terrain->height;
-  const int columns = (height.width() + block - 1) / block;
-  const int rows = (height.height() + block - 1) / block;
-  std::vector<char> same(std::size_t(columns) * std::size_t(rows), 1);
-  parallel_rows(0, rows, [&](int row) {
-    for (int column = 0; column < columns; ++column) {
-      const Rect rect = intersection(height.rect(), {column * block, row * block, (column + 1) * block, (row + 1) * block});
-      const bool alike = (a.terrain == b.terrain || same_cells(height, b.terrain->height, rect)) &&
-                         (a.hydrology == b.hydrology ||
-                          (a.hydrology && b.hydrology && same_cells(a.hydrology->water_depth, b.hydrology->water_depth, rect)));
-      same[std::size_t(row) * std::size_t(columns) + std::size_t(column)] = alike ? 1 : 0;
-    }
-  });
-  return same;
+  return Builder(ground, regions, mobility, block, known).build(blocks);
 }
 
 }  // namespace biotope

@@ -6,15 +6,34 @@
 
 namespace biotope {
 
+namespace {
+
+/// Everything but the heights.
+void copy_setting(const Terrain& from, Terrain& to) {
+  to.voids = from.voids;
+  to.cell_size = from.cell_size;
+  to.latitude = from.latitude;
+  to.georeference = from.georeference;
+  to.name = from.name;
+}
+
+}  // namespace
+
+bool TerrainCopy::fork(const Terrain& from, Terrain& to) {
+  copy_setting(from, to);
+  return fork_of(from.height, to.height);
+}
+
 Terrain TerrainCopy::value(const Terrain& from) {
   Terrain copy;
   copy.height = copy_of(from.height);
-  copy.voids = from.voids;
-  copy.cell_size = from.cell_size;
-  copy.latitude = from.latitude;
-  copy.georeference = from.georeference;
-  copy.name = from.name;
+  copy_setting(from, copy);
   return copy;
+}
+
+bool DerivativesCopy::fork(const Derivatives& from, Derivatives& to) {
+  return fork_of(from.east, to.east) && fork_of(from.north, to.north) && fork_of(from.slope, to.slope) &&
+         fork_of(from.curvature, to.curvature);
 }
 
 Derivatives DerivativesCopy::value(const Derivatives& from) {
@@ -47,7 +66,12 @@ TileSet repainted(const PaintLayer* a, const PaintLayer* b, int width, int heigh
 std::shared_ptr<const Terrain> painted_land(LandStage& stage, const std::shared_ptr<const Terrain>& file,
                                             const std::shared_ptr<const PaintLayer>& paint) {
   if (!stage.painted || stage.painted_file != file) {
-    stage.painted.restart(std::make_shared<Terrain>(shaped_terrain(*file, paint.get(), {})));
+    auto painted = std::make_shared<Terrain>(TerrainCopy::value(*file));
+    const TileSet tiles = repainted(nullptr, paint.get(), file->height.width(), file->height.height());
+    parallel_each(tiles.list().size(), [&, list = tiles.list()](std::size_t i) {
+      paint_heights(file->height, paint.get(), tiles.rect(list[i]), painted->height);
+    });
+    stage.painted.restart(std::move(painted));
   } else {
     const int width = file->height.width();
     const TileSet tiles = repainted(stage.painted_with.get(), paint.get(), width, file->height.height());
@@ -93,6 +117,7 @@ void update_land(LandStage& stage, const std::shared_ptr<const Terrain>& file, c
   } else if (land == file) {
     stage.land = land;
   }
+  if (stage.file != file || stage.water != water) stage.lake_cells = cells_of_lakes(water.lakes, file->height.rect());
   stage.file = file;
   stage.paint = paint;
   stage.water = water;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "core/base/paint.hpp"
 #include "core/terrain/derivatives.hpp"
@@ -12,10 +13,12 @@
 namespace biotope {
 
 struct TerrainCopy {
+  static bool fork(const Terrain& from, Terrain& to);
   static Terrain value(const Terrain& from);
   static void tiles(const Terrain& from, Terrain& to, const TileSet& tiles) { copy_tiles(from.height, to.height, tiles); }
 };
 struct DerivativesCopy {
+  static bool fork(const Derivatives& from, Derivatives& to);
   static Derivatives value(const Derivatives& from);
   static void tiles(const Derivatives& from, Derivatives& to, const TileSet& tiles);
 };
@@ -25,6 +28,8 @@ struct LandStage {
   std::shared_ptr<const Terrain> file;
   std::shared_ptr<const PaintLayer> paint;
   DrawnWater water;
+  /// Cells of the drawn lakes.
+  std::vector<std::uint32_t> lake_cells;
   std::shared_ptr<const Terrain> land;
   ChangeLog changes;
   /// The file's terrain with nothing but paint, and the paint that its newest version has.

@@ -57,7 +57,7 @@ struct MapsSnapshot {
 
   /// Where plants were painted that cannot live there; of complete snapshots.
   std::shared_ptr<const std::vector<PlantShortage>> plant_shortages;
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   /// Milliseconds by stage of the run that made this snapshot.
   std::vector<std::pair<std::string, double>> timings;
 

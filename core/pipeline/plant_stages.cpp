@@ -41,8 +41,9 @@ std::vector<TileParts> parts_of(const CoverMap& map, const TileSet& small) {
   return all;
 }
 
-/// Competition again in some small tiles of maps that are otherwise up to date.
-void compete_again(std::vector<CoverMap>& maps, const FoodWeb& web, const PlantEnvironment& environment, const TileSet& small) {
+/// Competition again in some small tiles of maps that are otherwise up to date; by a schedule where there is one.
+void compete_again(std::vector<CoverMap>& maps, const FoodWeb& web, const PlantEnvironment& environment,
+                   const ShareSchedule* schedule, const TileSet& small) {
   const std::vector<TileParts> tiles = parts_of(maps.front(), small);
   std::vector<std::vector<std::shared_ptr<CoverMap::Tile>>> made(tiles.size());
   parallel_each(tiles.size(), [&](std::size_t i) {
@@ -53,7 +54,9 @@ void compete_again(std::vector<CoverMap>& maps, const FoodWeb& web, const PlantE
       if (!before) made[i].back()->fill(0);
       out.push_back(made[i].back().get());
     }
-    for (const Rect& part : tiles[i].parts) compete_in_tile(web, environment, part, out);
+    for (const Rect& part : tiles[i].parts) {
+      schedule ? compete_in_tile(web, environment, *schedule, part, out) : compete_in_tile(web, environment, part, out);
+    }
   });
   for (std::size_t i = 0; i < tiles.size(); ++i) {
     for (std::size_t plant = 0; plant < maps.size(); ++plant) replace_tile(maps[plant], tiles[i].tile, made[i][plant]);
@@ -71,10 +74,7 @@ TileSet repainted_tiles(const PlantStage& stage, const PlantEnvironment& environ
   return tiles.in_tiles_of(small_side);
 }
 
-Status compute_all_plants(PlantStage& stage, const FoodWeb& web, const PlantEnvironment& environment,
-                          const std::vector<double>& desired, const TaskContext& context) {
-  auto covers = desired.empty() ? compete_without_proportions(web, environment, context)
-                                : compete_with_proportions(web, environment, desired, context);
+Status keep_covers(PlantStage& stage, Result<std::vector<CoverMap>> covers, const TaskContext& context) {
   if (!covers) return tl::unexpected<Error>(covers.error());
   if (context.stopped()) return fail(stopped_message);
   stage.covers.clear();
@@ -82,7 +82,54 @@ Status compute_all_plants(PlantStage& stage, const FoodWeb& web, const PlantEnvi
   return {};
 }
 
+bool by_schedule(const EnvironmentMaps& maps, const std::vector<double>& desired) {
+  return !desired.empty() && competes_by_schedule(maps.geology->width(), maps.geology->height());
+}
+
+/// Finds the schedule anew; another one makes every tile stale.
+Status update_schedule(PlantStage& stage, const FoodWeb& web, const PlantEnvironment& environment,
+                       const std::vector<double>& desired, const TaskContext& context) {
+  auto schedule = share_schedule(web, environment, desired, context);
+  if (!schedule) return tl::unexpected<Error>(schedule.error());
+  if (*schedule != stage.schedule) stage.stale.insert(environment.maps->geology->rect());
+  stage.schedule = std::move(*schedule);
+  stage.schedule_stale = false;
+  return {};
+}
+
+Status compute_all_plants(PlantStage& stage, const FoodWeb& web, const PlantEnvironment& environment,
+                          const std::vector<double>& desired, const TaskContext& context) {
+  if (desired.empty()) return keep_covers(stage, compete_without_proportions(web, environment, context), context);
+  if (!by_schedule(*environment.maps, desired)) {
+    return keep_covers(stage, compete_with_proportions(web, environment, desired, context), context);
+  }
+  if (Status done = update_schedule(stage, web, environment, desired, context); !done) return done;
+  return keep_covers(stage, compete_by_schedule(web, environment, stage.schedule, context), context);
+}
+
+Status compute_stale_plants(PlantStage& stage, const FoodWeb& web, const PlantEnvironment& environment, const TileSet& asked,
+                            const TaskContext& context) {
+  const ShareSchedule* const schedule = by_schedule(*environment.maps, stage.desired) ? &stage.schedule : nullptr;
+  if (schedule != nullptr && asked.every()) {
+    return keep_covers(stage, compete_by_schedule(web, environment, *schedule, context), context);
+  }
+  std::vector<CoverMap> maps;
+  for (const auto& cover : stage.covers) maps.push_back(*cover);
+  compete_again(maps, web, environment, schedule, asked);
+  for (std::size_t i = 0; i < maps.size(); ++i) {
+    if (differing_tiles(stage.covers[i].get(), &maps[i], maps[i].tile_count()).empty()) continue;
+    stage.covers[i] = std::make_shared<const CoverMap>(std::move(maps[i]));
+  }
+  return {};
+}
+
 }  // namespace
+
+bool can_answer_plants_near(const PlantStage& stage, const FoodWeb& web, const EnvironmentMaps& maps,
+                            const std::vector<double>& desired) {
+  const bool has_plants = !stage.covers.empty() && stage.covers.size() == web.levels.front().size() && stage.desired == desired;
+  return has_plants && (desired.empty() || by_schedule(maps, desired));
+}
 
 Status update_plants(PlantStage& stage, const FoodWeb& web, const PlantEnvironment& environment, const ChangeLog& changes,
                      const std::vector<double>& desired, const TileSet* near, const TaskContext& context) {
@@ -90,21 +137,22 @@ Status update_plants(PlantStage& stage, const FoodWeb& web, const PlantEnvironme
   const bool same_world = !stage.covers.empty() && stage.desired == desired && stage.covers.size() == web.levels.front().size() &&
                           stage.stale.fits(moved.width(), moved.height());
   const bool untouched = same_world && !moved.any() && stage.paint == environment.paint && stage.soil == environment.soil;
-  if (untouched && !stage.stale.any()) return {};
-  if (!same_world || !desired.empty() || moved.every()) {
+  if (untouched && !stage.stale.any() && !stage.schedule_stale) return {};
+  const bool scheduled = by_schedule(*environment.maps, desired);
+  const bool whole = !same_world || (!desired.empty() && !scheduled) || moved.every();
+  if (whole) {
     stage.seen_environment = 0;
+    stage.stale = TileSet(moved.width(), moved.height(), small_side);
     if (Status done = compute_all_plants(stage, web, environment, desired, context); !done) return done;
     stage.stale = TileSet(moved.width(), moved.height(), small_side);
   } else {
     stage.stale |= moved | repainted_tiles(stage, environment);
-    const TileSet asked = near != nullptr ? stage.stale & near->in_tiles_of(small_side) : stage.stale;
-    std::vector<CoverMap> maps;
-    for (const auto& cover : stage.covers) maps.push_back(*cover);
-    compete_again(maps, web, environment, asked);
-    for (std::size_t i = 0; i < maps.size(); ++i) {
-      if (differing_tiles(stage.covers[i].get(), &maps[i], maps[i].tile_count()).empty()) continue;
-      stage.covers[i] = std::make_shared<const CoverMap>(std::move(maps[i]));
+    stage.schedule_stale |= scheduled && !untouched;
+    if (stage.schedule_stale && near == nullptr) {
+      if (Status done = update_schedule(stage, web, environment, desired, context); !done) return done;
     }
+    const TileSet asked = near != nullptr ? stage.stale & near->in_tiles_of(small_side) : stage.stale;
+    if (Status done = compute_stale_plants(stage, web, environment, asked, context); !done) return done;
     stage.stale -= asked;
   }
   stage.seen_environment = changes.version();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/pipeline/solve_parts.hpp"
 #include "core/pipeline/solve_stages.hpp"
 #include "core/pipeline/stage_clock.hpp"
 #include "core/terrain/shaping.hpp"
@@ -86,6 +87,7 @@ class Run {
   Status ground();
   Status slopes();
   Status nearby();
+  Status plants_as_before();
   Status water();
   Status environment();
   Status plants();
@@ -125,16 +127,15 @@ class Run {
   StageClock clock_;
 };
 
-/// The species without their desired shares.
-std::vector<Species> without_shares(std::vector<Species> species) {
-  for (Species& one : species) one.proportions.clear();
-  return species;
-}
-
 Status Run::species() {
-  auto web = build_food_web(*document_.species);
-  if (!web) return tl::unexpected<Error>(web.error());
-  maps_->web = std::make_shared<const FoodWeb>(std::move(*web));
+  // The same species are the same web, so that who draws them need not look whether they changed.
+  if (!stages_.web || stages_.web_of != document_.species) {
+    auto web = build_food_web(*document_.species);
+    if (!web) return tl::unexpected<Error>(web.error());
+    stages_.web = std::make_shared<const FoodWeb>(std::move(*web));
+    stages_.web_of = document_.species;
+  }
+  maps_->web = stages_.web;
   FoodWeb biology = *maps_->web;
   biology.species = without_shares(std::move(biology.species));
   if (!stages_.biology || stages_.biology->species != biology.species) {
@@ -145,15 +146,6 @@ Status Run::species() {
   }
   biology_ = stages_.biology;
   return {};
-}
-
-/// Keeps a value's pointer while it is equal; null for a blank one.
-void keep_equal(std::shared_ptr<const Places>& slot, const Places& places) {
-  if (places == Places{}) {
-    slot = nullptr;
-  } else if (!slot || !(*slot == places)) {
-    slot = std::make_shared<const Places>(places);
-  }
 }
 
 Status Run::ground() {
@@ -181,26 +173,20 @@ Status Run::nearby() {
   maps_->plant_desired = desired(0);
   const EnvironmentInput input = environment_input();
   const PlantStage& plants = stages_.plants;
-  const bool has_plants = plants.covers.size() == maps_->web->levels.front().size() && plants.desired.empty();
-  if (!publish_ || !has_plants || !maps_->plant_desired.empty() || !can_answer_nearby(stages_.environment, input)) return {};
+  if (!publish_ || !can_answer_nearby(stages_.environment, input)) return {};
+  if (!can_answer_plants_near(plants, *biology_, *stages_.environment.maps, maps_->plant_desired)) return {};
   const TileSet near = update_environment_nearby(stages_.environment, input);
   MapsSnapshot shown = *maps_;
   shown.hydrology = stages_.water.newest();
   shown.environment = stages_.environment.maps;
-  const Status done =
-      update_plants(stages_.plants, *biology_, shown.plant_environment(), stages_.environment.changes, {}, &near, context_);
+  const Status done = update_plants(stages_.plants, *biology_, shown.plant_environment(), stages_.environment.changes,
+                                    maps_->plant_desired, &near, context_);
   if (!done) return done;
   painted_plants(shown);
   if (context_.stopped()) return fail(stopped_message);
   shown_nearby_ = true;
   publish_(std::make_shared<MapsSnapshot>(std::move(shown)));
   return {};
-}
-
-double mean_height(const Terrain& terrain) {
-  double sum = 0;
-  for (const float height : terrain.height.cells()) sum += height;
-  return terrain.height.empty() ? 0 : sum / double(terrain.height.size());
 }
 
 Status Run::water() {
@@ -212,6 +198,7 @@ Status Run::water() {
   options.runoff = yearly_runoff(document_.climate, maps_->land->latitude, **mean);
   const std::vector<Inflow> drawn = inflows_of(document_.placements.water, *maps_->land, options.runoff);
   options.inflows.insert(options.inflows.end(), drawn.begin(), drawn.end());
+  options.lake_cells = stages_.land.lake_cells;
   const TileSet changed = stages_.land.changes.since(stages_.water_seen_land);
   if (Status done = stages_.water.update(maps_->land, changed, options, context_); !done) return done;
   stages_.water_seen_land = stages_.land.changes.version();
@@ -225,7 +212,26 @@ Status Run::environment() {
   return {};
 }
 
+/// Plants with desired shares are shown by the schedule of before first: the exact one may move all of them a little.
+Status Run::plants_as_before() {
+  const EnvironmentMaps& maps = *maps_->environment;
+  if (!publish_ || maps_->plant_desired.empty()) return {};
+  if (!can_answer_plants_near(stages_.plants, *biology_, maps, maps_->plant_desired)) return {};
+  const auto before = stages_.plants.covers;
+  TileSet everywhere(maps.geology->width(), maps.geology->height());
+  everywhere.insert(maps.geology->rect());
+  const Status done = update_plants(stages_.plants, *biology_, maps_->plant_environment(), stages_.environment.changes,
+                                    maps_->plant_desired, &everywhere, context_);
+  if (!done || stages_.plants.covers == before) return done;
+  MapsSnapshot shown = *maps_;
+  painted_plants(shown);
+  shown_nearby_ = true;
+  publish_(std::make_shared<MapsSnapshot>(std::move(shown)));
+  return {};
+}
+
 Status Run::plants() {
+  if (Status done = plants_as_before(); !done) return done;
   const Status done = update_plants(stages_.plants, *biology_, maps_->plant_environment(), stages_.environment.changes,
                                     maps_->plant_desired, nullptr, context_);
   if (!done) return done;
@@ -296,17 +302,6 @@ Status Run::animals() {
   return {};
 }
 
-/// Levels of the graph with the spatial edges that movement found.
-ResourceAccessGraph assembled_graph(const MapsSnapshot& maps) {
-  ResourceAccessGraph graph;
-  graph.levels.push_back({0, {}, {}, {}});
-  for (std::size_t i = 0; i < maps.animals.size(); ++i) {
-    graph.levels.push_back(*maps.animals[i]->graph);
-    graph.levels.back().edges = maps.movement[i].edges;
-  }
-  return graph;
-}
-
 Status Run::travel() {
   InputPointers all;
   for (std::size_t i = 0; i < maps_->animals.size(); ++i) {
@@ -347,8 +342,8 @@ Status Run::daily_plans() {
   std::size_t herds = 0;
   for (const auto& level : maps_->animals) herds += level->herds.size();
   if (maps_->plans->size() < herds) {
-    maps_->warnings.push_back("Of " + std::to_string(herds) + " herds " + std::to_string(maps_->plans->size()) +
-                              ", chosen evenly over the species, have a daily plan.");
+    maps_->warnings.push_back({"Of " + std::to_string(herds) + " herds " + std::to_string(maps_->plans->size()) +
+                               ", chosen evenly over the species, have a daily plan."});
   }
   return {};
 }
@@ -371,16 +366,7 @@ Status Run::overpainted() {
   const Status found = keep(maps_->plant_shortages, stages_.plant_shortages.get(inputs, find));
   if (!found) return found;
   for (const PlantShortage& shortage : *maps_->plant_shortages)
-    maps_->warnings.push_back(shortage_warning(*maps_->web, shortage));
-  return {};
-}
-
-Status check_inputs(const Document& document) {
-  if (!document.terrain || document.terrain->height.width() < 2 || document.terrain->height.height() < 2) {
-    return fail("There is no terrain to compute on: open a DEM, a scene or a sample (at least 2 x 2 cells).");
-  }
-  if (!document.species || document.species->empty())
-    return fail("There are no species: open a species file or take the default one.");
+    maps_->warnings.push_back(shortage_warning(*maps_->web, *maps_->land, shortage));
   return {};
 }
 

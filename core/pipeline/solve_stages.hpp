@@ -5,6 +5,7 @@
 #include <tuple>
 #include <vector>
 
+#include "core/ecosystem/plant_share_schedule.hpp"
 #include "core/movement/movement_cache.hpp"
 #include "core/pipeline/cover_totals.hpp"
 #include "core/pipeline/environment_stage.hpp"
@@ -28,6 +29,9 @@ struct PlantStage {
   std::vector<std::shared_ptr<const CoverMap>> covers;
   /// Small tiles whose plants have to compete again.
   TileSet stale;
+  /// Where the plants have desired shares on a large map: by what they compete, and whether that is older than the environment.
+  ShareSchedule schedule;
+  bool schedule_stale = false;
 };
 
 /// One plant's cover with its own paint over it.
@@ -55,6 +59,9 @@ struct SolveCache::Stages {
   HydrologyState water;
   std::uint64_t water_seen_land = 0;
   EnvironmentStage environment;
+  /// The food web, and the species it was built of.
+  std::shared_ptr<const FoodWeb> web;
+  std::shared_ptr<const std::vector<Species>> web_of;
   /// The food web without desired shares: a change of shares alone must not run what does not read them.
   std::shared_ptr<const FoodWeb> biology;
   PlantStage plants;
@@ -74,9 +81,15 @@ struct SolveCache::Stages {
 
 /// Brings a plant stage up to date: everything when its species changed, else only the tiles whose environment or paint did, and
 /// of those only the ones in `near` unless it is null; the others stay stale. `changes` are those of the environment's maps.
+/// Plants with desired shares compete by the schedule of before where `near` is given; the next exact call tells whether it still
+/// holds.
 [[nodiscard]] Status update_plants(PlantStage& stage, const FoodWeb& web, const PlantEnvironment& environment,
                                    const ChangeLog& changes, const std::vector<double>& desired, const TileSet* near,
                                    const TaskContext& context);
+/// Whether update_plants can answer in parts of the map: the plants and shares are those of before, and cells compete by
+/// themselves.
+[[nodiscard]] bool can_answer_plants_near(const PlantStage& stage, const FoodWeb& web, const EnvironmentMaps& maps,
+                                          const std::vector<double>& desired);
 
 /// Lays a plant's paint over its computed cover, tile by tile where something changed.
 void update_painted_cover(PaintedCover& stage, const std::shared_ptr<const CoverMap>& computed,

@@ -147,6 +147,7 @@ void Worker::State::run(const Job& job) {
     context.stop = run_stop.get_token();
     progress.busy = true;
     progress.levels_done = 0;
+    progress.stale = stale_stages(job.from_scratch ? nullptr : complete.get(), job.document);
     gives_way = false;
   }
   context.progress = [this](std::string_view stage, double fraction) {
@@ -185,6 +186,8 @@ void Worker::State::publish(const MapsSnapshot& maps, std::uint64_t document_rev
   old_maps.keep(copy);
   latest = copy;
   progress.levels_done = copy->cover.empty() ? 0 : 1 + copy->animals.size();
+  // An answer near the brush makes nothing exact.
+  if (progress.stage != nearby_stage) progress.stale = still_stale(progress.stale, *copy);
   if (!copy->complete) return;
   complete = copy;
   waiting_since = std::chrono::steady_clock::now();

@@ -6,6 +6,7 @@
 
 #include "core/document/document.hpp"
 #include "core/pipeline/maps_snapshot.hpp"
+#include "core/pipeline/stale_stages.hpp"
 
 namespace biotope {
 
@@ -16,6 +17,8 @@ struct WorkerProgress {
   double fraction = 0;
   /// Food-chain levels, plants first, that answer the document being computed already; those after them are being recomputed.
   std::size_t levels_done = 0;
+  /// What the edits since the last complete snapshot ask for and this run has not reached yet.
+  StaleStages stale;
 };
 
 /// One background thread that keeps a MapsSnapshot up to date with the newest Document posted to it. Any number of posts during a

@@ -2,6 +2,7 @@
 #include <cassert>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "core/climate/json_reader.hpp"
@@ -11,9 +12,7 @@
 namespace biotope {
 namespace {
 
-bool is_plant_group(std::string_view name) {
-  return name == "herbs" || name == "shrubs" || name == "trees" || name == "plants";
-}
+bool is_plant_group(std::string_view name) { return name == "herbs" || name == "shrubs" || name == "trees" || name == "plants"; }
 
 bool is_group(std::string_view name) { return std::ranges::find(group_words(), name) != group_words().end(); }
 
@@ -52,7 +51,8 @@ void add_food(FoodWeb::ResolvedNeed& resolved, int number, float preference) {
   resolved.preferences.push_back(preference);
 }
 
-/// Species numbers that meet a need, those it names first. A species that is named keeps its own preference, whatever its group's is.
+/// Species numbers that meet a need, those it names first. A species that is named keeps its own preference, whatever its group's
+/// is.
 Result<FoodWeb::ResolvedNeed> resolve(const std::vector<Species>& species, int eater, const Need& need) {
   const std::string where = "species \"" + species[std::size_t(eater)].name + "\", need \"" + need.name + "\": ";
   FoodWeb::ResolvedNeed resolved;
@@ -204,19 +204,37 @@ Result<FoodWeb> build_food_web(std::vector<Species> species) {
   return ordered_by_level(std::move(species), diets, level);
 }
 
+namespace {
+
+/// What a species asks for under a climate; none where it asks for nothing at all. Who asks under other climates only asks for 0.
+std::optional<double> asked_share(const Species& species, std::string_view climate) {
+  if (species.proportions.empty()) return std::nullopt;
+  auto found = species.proportions.find(std::string(climate));
+  if (found == species.proportions.end()) found = species.proportions.find("default");
+  return found == species.proportions.end() ? 0.0 : found->second;
+}
+
+/// The share of each species that asks for none, beside `asking` others that ask for `sum` together.
+double share_unasked(double sum, int asking, int silent) { return sum <= 1 ? (1 - sum) / silent : sum / asking; }
+
+}  // namespace
+
 std::vector<double> desired_proportions(const FoodWeb& web, int level, std::string_view climate) {
   assert(level >= 0 && level < web.level_count());
-  std::vector<double> shares;
+  std::vector<std::optional<double>> asked;
   double sum = 0;
+  int asking = 0;
   for (const int number : web.levels[std::size_t(level)]) {
-    const std::map<std::string, double>& asked = web.species[std::size_t(number)].proportions;
-    auto found = asked.find(std::string(climate));
-    if (found == asked.end()) found = asked.find("default");
-    shares.push_back(found == asked.end() ? 0.0 : found->second);
-    sum += shares.back();
+    asked.push_back(asked_share(web.species[std::size_t(number)], climate));
+    sum += asked.back().value_or(0);
+    asking += asked.back() ? 1 : 0;
   }
   if (sum <= 0) return {};
-  for (double& share : shares) share /= sum;
+  const int silent = int(asked.size()) - asking;
+  const double unasked = silent > 0 ? share_unasked(sum, asking, silent) : 0;
+  const double all = sum + silent * unasked;
+  std::vector<double> shares;
+  for (const std::optional<double>& share : asked) shares.push_back(share.value_or(unasked) / all);
   return shares;
 }
 

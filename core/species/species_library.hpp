@@ -36,12 +36,14 @@ struct FoodWeb {
 [[nodiscard]] Result<std::vector<Species>> load_species(const std::filesystem::path& file);
 [[nodiscard]] std::string species_to_json(const std::vector<Species>& species);
 
-/// Orders species into levels and resolves diets. A diet cycle, an unknown food or two species of one name are Errors that name them.
-/// A need whose group has no member in the list is an Error too.
+/// Orders species into levels and resolves diets. A diet cycle, an unknown food or two species of one name are Errors that name
+/// them. A need whose group has no member in the list is an Error too.
 [[nodiscard]] Result<FoodWeb> build_food_web(std::vector<Species> species);
 
 /// Desired shares of a level's species under a climate (proportions[climate], else proportions["default"]), normalised to
-/// sum 1; empty when no species of the level asks for one. A species without a share gets 0.
+/// sum 1; empty when no species of the level asks for one. A species that asks for a share under other climates only gets 0. Who
+/// asks for none at all is not driven out by those who do: up to a sum of 1 shares are parts of the whole, and the silent divide
+/// the rest evenly; beyond it they are weights, and each silent species weighs as much as the others on average.
 [[nodiscard]] std::vector<double> desired_proportions(const FoodWeb& web, int level, std::string_view climate);
 
 }  // namespace biotope

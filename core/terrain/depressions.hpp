@@ -22,10 +22,10 @@ class DepressionField {
   /// Everything anew; returns the filled heights.
   [[nodiscard]] Grid<float> restart(const Grid<float>& height, const Grid<std::uint8_t>& sea, float sea_level,
                                     const Grid<std::uint8_t>& inlets);
-  /// Follows the ground, where there is no sea, after changes in some tiles: `filled` holds the filled heights of before and gets
+  /// Follows the ground after heights or the sea changed in some tiles: `filled` holds the filled heights of before and gets
   /// those of now; returns the tiles in which they differ.
-  [[nodiscard]] TileSet update(const Grid<float>& height, const Grid<std::uint8_t>& inlets, const TileSet& changed,
-                               Grid<float>& filled);
+  [[nodiscard]] TileSet update(const Grid<float>& height, const Grid<std::uint8_t>& sea, float sea_level,
+                               const Grid<std::uint8_t>& inlets, const TileSet& changed, Grid<float>& filled);
 
  private:
   struct Tile {

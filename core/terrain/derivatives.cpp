@@ -73,8 +73,8 @@ void differentiate(const Terrain& terrain, const Rect& cells, Derivatives& out) 
 Derivatives compute_derivatives(const Terrain& terrain) {
   const int width = terrain.height.width();
   const int height = terrain.height.height();
-  Derivatives result{Grid<float>(width, height), Grid<float>(width, height), Grid<float>(width, height),
-                     Grid<float>(width, height)};
+  Derivatives result{Grid<float>::shareable(width, height), Grid<float>::shareable(width, height),
+                     Grid<float>::shareable(width, height), Grid<float>::shareable(width, height)};
   parallel_rows(0, height, [&](int y) { differentiate(terrain, {0, y, width, y + 1}, result); });
   return result;
 }

@@ -186,7 +186,7 @@ Grid<float> CatchmentField::restart(const Grid<float>& filled, const Grid<std::u
   water_ = Grid<Units>(filled.width(), filled.height(), Units(std::llround(cell_area / unit_)));
   for (const Inflow& inflow : inflows) water_(inflow.x, inflow.y) += units_of(inflow, unit_);
   MultipleFlow(Outflow(filled, receiver), donors, water_).run();
-  Grid<float> area(filled.width(), filled.height());
+  auto area = Grid<float>::shareable(filled.width(), filled.height());
   parallel_rows(0, filled.height(), [&](int y) {
     const auto from = water_.row(y);
     const auto to = area.row(y);

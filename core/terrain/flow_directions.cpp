@@ -47,13 +47,21 @@ std::uint8_t steepest_on_border(const Grid<float>& filled, int x, int y, bool in
   return direction;
 }
 
-/// What a cell's own surroundings say, or undecided on a flat.
-std::uint8_t steepest(const Grid<float>& filled, const Grid<std::uint8_t>& inlets, const std::array<std::ptrdiff_t, 8>& offsets,
-                      int x, int y) {
-  const bool border = x == 0 || y == 0 || x == filled.width() - 1 || y == filled.height() - 1;
-  if (border) return steepest_on_border(filled, x, y, !inlets.empty() && inlets(x, y) != 0);
-  return steepest_inside(&filled(x, y), offsets);
-}
+/// A filled ground, its sea and inlets (empty: none).
+struct FilledGround {
+  const Grid<float>& filled;
+  const Grid<std::uint8_t>& sea;
+  const Grid<std::uint8_t>& inlets;
+  std::array<std::ptrdiff_t, 8> offsets = neighbour_offsets(filled.width());
+
+  /// What a cell's own surroundings say, or undecided on a flat.
+  [[nodiscard]] std::uint8_t steepest(int x, int y) const {
+    if (!sea.empty() && sea(x, y) != 0) return leaves_map;
+    const bool border = x == 0 || y == 0 || x == filled.width() - 1 || y == filled.height() - 1;
+    if (border) return steepest_on_border(filled, x, y, !inlets.empty() && inlets(x, y) != 0);
+    return steepest_inside(&filled(x, y), offsets);
+  }
+};
 
 /// Leads flats to where they empty: breadth first from the cells that already know their way. `undecided_cells` ascend, so that
 /// the result does not depend on anything but the ground.
@@ -91,8 +99,8 @@ void resolve_flats(const Grid<float>& filled, const std::vector<std::uint32_t>& 
 /// its water's way into one follows from that into the other. Marks them all undecided in `receiver`.
 class FlatGathering {
  public:
-  FlatGathering(const Grid<float>& filled, const Grid<std::uint8_t>& inlets, Grid<std::uint8_t>& receiver)
-      : filled_(filled), inlets_(inlets), receiver_(receiver), offsets_(neighbour_offsets(filled.width())) {}
+  FlatGathering(const FilledGround& ground, Grid<std::uint8_t>& receiver)
+      : ground_(ground), filled_(ground.filled), receiver_(receiver) {}
 
   /// Cells that are undecided already.
   void start(std::vector<std::uint32_t> cells) { found_ = std::move(cells); }
@@ -115,7 +123,7 @@ class FlatGathering {
   }
 
  private:
-  [[nodiscard]] bool flat(int x, int y) const { return steepest(filled_, inlets_, offsets_, x, y) == undecided; }
+  [[nodiscard]] bool flat(int x, int y) const { return ground_.steepest(x, y) == undecided; }
   void take(int x, int y) {
     receiver_(x, y) = undecided;
     found_.push_back(std::uint32_t(filled_.index(x, y)));
@@ -131,10 +139,9 @@ class FlatGathering {
     }
   }
 
+  const FilledGround& ground_;
   const Grid<float>& filled_;
-  const Grid<std::uint8_t>& inlets_;
   Grid<std::uint8_t>& receiver_;
-  std::array<std::ptrdiff_t, 8> offsets_;
   std::vector<std::uint32_t> found_;
 };
 
@@ -143,14 +150,11 @@ class FlatGathering {
 Grid<std::uint8_t> flow_directions(const Grid<float>& filled, const Grid<std::uint8_t>& sea, const Grid<std::uint8_t>& inlets) {
   const int width = filled.width();
   const int height = filled.height();
-  Grid<std::uint8_t> receiver(width, height);
-  const auto offsets = neighbour_offsets(width);
+  auto receiver = Grid<std::uint8_t>::shareable(width, height);
+  const FilledGround ground{filled, sea, inlets};
   parallel_rows(0, height, [&](int y) {
     const auto out = receiver.row(y);
-    for (int x = 0; x < width; ++x) {
-      const bool drowned = !sea.empty() && sea(x, y) != 0;
-      out[std::size_t(x)] = drowned ? leaves_map : steepest(filled, inlets, offsets, x, y);
-    }
+    for (int x = 0; x < width; ++x) out[std::size_t(x)] = ground.steepest(x, y);
   });
   std::vector<std::uint32_t> flats;
   for (std::size_t cell = 0; cell < receiver.size(); ++cell) {
@@ -160,15 +164,15 @@ Grid<std::uint8_t> flow_directions(const Grid<float>& filled, const Grid<std::ui
   return receiver;
 }
 
-TileSet update_flow_directions(const Grid<float>& filled, const Grid<std::uint8_t>& inlets, const TileSet& changed,
-                               const Grid<std::uint8_t>& before, Grid<std::uint8_t>& receiver) {
+TileSet update_flow_directions(const Grid<float>& filled, const Grid<std::uint8_t>& sea, const Grid<std::uint8_t>& inlets,
+                               const TileSet& changed, const Grid<std::uint8_t>& before, Grid<std::uint8_t>& receiver) {
   const TileSet asked = changed.grown(1);
-  const auto offsets = neighbour_offsets(filled.width());
+  const FilledGround ground{filled, sea, inlets};
   const auto list = asked.list();
   parallel_each(list.size(), [&](std::size_t i) {
     const Rect cells = asked.rect(list[i]);
     for (int y = cells.y0; y < cells.y1; ++y) {
-      for (int x = cells.x0; x < cells.x1; ++x) receiver(x, y) = steepest(filled, inlets, offsets, x, y);
+      for (int x = cells.x0; x < cells.x1; ++x) receiver(x, y) = ground.steepest(x, y);
     }
   });
   std::vector<std::uint32_t> flats;
@@ -180,7 +184,7 @@ TileSet update_flow_directions(const Grid<float>& filled, const Grid<std::uint8_
       }
     }
   }
-  FlatGathering gathering(filled, inlets, receiver);
+  FlatGathering gathering(ground, receiver);
   gathering.start(std::move(flats));
   const std::vector<std::uint32_t> cells = gathering.gather();
   resolve_flats(filled, cells, receiver);

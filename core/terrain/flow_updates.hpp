@@ -10,12 +10,13 @@
 
 namespace biotope {
 
-// Flow on a ground without sea that changed in some tiles. Each of these equals, to the bit, what the stage of the same name in
+// Flow on a ground that changed in some tiles. Each of these equals, to the bit, what the stage of the same name in
 // flow_routing.hpp makes of the whole ground.
 
-/// Directions after the filled ground changed in some tiles: `receiver` holds those of before and gets those of now; returns the
-/// tiles in which they differ.
-[[nodiscard]] TileSet update_flow_directions(const Grid<float>& filled, const Grid<std::uint8_t>& inlets, const TileSet& changed,
+/// Directions after the filled ground or the sea changed in some tiles: `receiver` holds those of before and gets those of now;
+/// returns the tiles in which they differ.
+[[nodiscard]] TileSet update_flow_directions(const Grid<float>& filled, const Grid<std::uint8_t>& sea,
+                                             const Grid<std::uint8_t>& inlets, const TileSet& changed,
                                              const Grid<std::uint8_t>& before, Grid<std::uint8_t>& receiver);
 
 /// Filled heights and the directions of flow on them.

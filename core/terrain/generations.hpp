@@ -63,17 +63,21 @@ void copy_tiles(const Grid<T>& from, Grid<T>& to, const TileSet& tiles) {
   });
 }
 
-/// A dense copy, by many threads.
+/// A dense copy of which versions can be made, by many threads.
 template <class T>
 [[nodiscard]] Grid<T> copy_of(const Grid<T>& from) {
-  Grid<T> to(from.width(), from.height());
+  Grid<T> to = Grid<T>::shareable(from.width(), from.height());
   parallel_rows(0, from.height(), [&](int y) { std::copy_n(from.row(y).data(), from.row(y).size(), to.row(y).data()); });
   return to;
 }
 
 /// The last versions of something made of dense rasters, of which others hold pointers. The next version is made from the newest:
-/// in the memory of one that nobody else holds any more, where only the tiles that changed since have to be copied, or else in a
-/// whole copy. `Copy` has value(const T&) for a whole copy and tiles(const T&, T&, const TileSet&) for some.
+/// in the memory of one that nobody else holds any more, where only the tiles that changed since have to be copied; or as a fork
+/// of the first version's rasters (see SharedPages), to which the tiles that changed since are copied; or else, when these are
+/// many, in a whole copy, which is the next first version. `Copy` has
+///   bool fork(const T&, T&)                 rasters that share their memory with the first version's; whether that can be done
+///   T value(const T&)                       a whole copy
+///   void tiles(const T&, T&, const TileSet&)  copies some tiles, and all that is no raster.
 template <class T, class Copy>
 class Generations {
  public:
@@ -83,28 +87,35 @@ class Generations {
   /// Forgets everything before `value`.
   void restart(std::shared_ptr<T> value) {
     older_.clear();
+    since_first_ = {};
     newest_ = std::move(value);
   }
   /// A copy of the newest that only the caller holds. Lost unless it comes back by `put`.
   [[nodiscard]] std::shared_ptr<T> copy() {
-    for (auto it = older_.begin(); it != older_.end(); ++it) {
-      if (it->value.use_count() != 1) continue;
-      // What the last other owner read happened before it let go.
-      std::atomic_thread_fence(std::memory_order_acquire);
-      const Older found = std::move(*it);
-      older_.erase(it);
-      Copy::tiles(*newest_, *found.value, found.behind);
-      return found.value;
+    whole_ = false;
+    if (auto value = reused()) return value;
+    const bool few = 4 * since_first_.count() <= since_first_.tile_count();
+    if (auto value = std::make_shared<T>(); few && Copy::fork(*newest_, *value)) {
+      Copy::tiles(*newest_, *value, since_first_);
+      return value;
     }
+    older_.clear();
+    whole_ = true;
     return std::make_shared<T>(Copy::value(*newest_));
   }
   /// Makes a changed copy the newest; one in which no tile changed is kept for the next time.
   void put(std::shared_ptr<T> value, const TileSet& changed) {
     if (!changed.any()) {
-      older_.push_back({std::move(value), changed});
+      if (!whole_) older_.push_back({std::move(value), changed});
+    } else if (whole_) {
+      since_first_ = {};
+      newest_ = std::move(value);
     } else {
+      const bool first = since_first_.tile_count() == 0;
       for (Older& one : older_) one.behind |= changed;
-      older_.push_back({std::move(newest_), changed});
+      // Into the first version nothing is written any more: its forks show it.
+      if (!first) older_.push_back({std::move(newest_), changed});
+      since_first_ = first ? changed : since_first_ | changed;
       newest_ = std::move(value);
     }
     if (older_.size() > most_older) older_.erase(older_.begin());
@@ -115,17 +126,43 @@ class Generations {
   }
 
  private:
-  static constexpr std::size_t most_older = 3;
+  static constexpr std::size_t most_older = 2;
   struct Older {
     std::shared_ptr<T> value;
     TileSet behind;  ///< tiles in which the newest is another
   };
+
+  /// An older version that nobody else holds, brought up to date; or null.
+  [[nodiscard]] std::shared_ptr<T> reused() {
+    const auto unused = std::find_if(older_.begin(), older_.end(), [](const Older& one) { return one.value.use_count() == 1; });
+    if (unused == older_.end()) return nullptr;
+    // What the last other owner read happened before it let go.
+    std::atomic_thread_fence(std::memory_order_acquire);
+    const Older found = std::move(*unused);
+    older_.erase(unused);
+    Copy::tiles(*newest_, *found.value, found.behind);
+    return found.value;
+  }
+
   std::shared_ptr<T> newest_;
+  /// Versions that were forked from the same first one as the newest.
   std::vector<Older> older_;
+  /// Tiles in which the newest may differ from that first one; of no raster as long as it is the first.
+  TileSet since_first_;
+  /// Whether the copy that is out is a whole one.
+  bool whole_ = false;
 };
+
+/// Forks a raster; whether that could be done.
+template <class T>
+[[nodiscard]] bool fork_of(const Grid<T>& from, Grid<T>& to) {
+  to = from.fork();
+  return !to.empty();
+}
 
 template <class T>
 struct GridCopy {
+  static bool fork(const Grid<T>& from, Grid<T>& to) { return fork_of(from, to); }
   static Grid<T> value(const Grid<T>& from) { return copy_of(from); }
   static void tiles(const Grid<T>& from, Grid<T>& to, const TileSet& tiles) { copy_tiles(from, to, tiles); }
 };

@@ -12,7 +12,8 @@ namespace biotope {
 
 enum class WaterKind : std::uint8_t { dry, river, lake, sea };
 
-/// A river that enters the map: water from a catchment that lies outside. On the border, no water leaves through the cells beside it.
+/// A river that enters the map: water from a catchment that lies outside. On the border, no water leaves through the cells beside
+/// it.
 struct Inflow {
   /// Cell where it enters.
   int x = 0;
@@ -68,6 +69,8 @@ struct HydrologyOptions {
   /// Cells below this height connected to the border are sea, m.
   float sea_level = 0;
   std::vector<Inflow> inflows;
+  /// Cells, in ascending order, where a person drew a lake: a depression with one of them is a lake however small it is.
+  std::vector<std::uint32_t> lake_cells = {};
 };
 
 /// Depressions (priority-flood), FD8 accumulation, D8 channels, width = 4.5 Q^0.5 m and depth = 0.3 Q^0.4 m,

@@ -3,6 +3,7 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 
 #include "core/terrain/flow_routing.hpp"
@@ -11,6 +12,12 @@
 #include "core/terrain/water_updates.hpp"
 
 namespace biotope {
+
+bool HydrologyCopy::fork(const Hydrology& from, Hydrology& to) {
+  return fork_of(from.filled, to.filled) && fork_of(from.catchment_area, to.catchment_area) &&
+         fork_of(from.water_depth, to.water_depth) && fork_of(from.discharge, to.discharge) && fork_of(from.water, to.water) &&
+         fork_of(from.receiver, to.receiver);
+}
 
 Hydrology HydrologyCopy::value(const Hydrology& from) {
   Hydrology copy;
@@ -63,6 +70,16 @@ bool same_inflows(const std::vector<Inflow>& a, const std::vector<Inflow>& b) {
   });
 }
 
+/// Tiles with a cell that is of a drawn lake in one setting alone.
+TileSet differing_lakes(const HydrologyOptions& a, const HydrologyOptions& b, const Grid<float>& height) {
+  TileSet tiles(height.width(), height.height());
+  if (a.lake_cells == b.lake_cells) return tiles;
+  std::vector<std::uint32_t> cells;
+  std::ranges::set_symmetric_difference(a.lake_cells, b.lake_cells, std::back_inserter(cells));
+  for (const std::uint32_t cell : cells) tiles.insert_cell(cell);
+  return tiles;
+}
+
 bool same_fords(const std::vector<Ford>& a, const std::vector<Ford>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Ford& one, const Ford& other) {
     return one.x == other.x && one.y == other.y && one.depth == other.depth;
@@ -77,16 +94,17 @@ Result<Hydrology> HydrologyState::compute(const Terrain& terrain, const Hydrolog
   const int height = terrain.height.height();
   Hydrology result;
   context.report("depressions", 0);
-  const Grid<std::uint8_t> sea = find_sea(terrain.height, options.sea_level);
-  has_sea_ = !sea.empty();
+  sea_ = find_sea(terrain.height, options.sea_level);
+  const Grid<std::uint8_t>& sea = sea_;
   inlets_ = find_inlets(terrain, options);
   result.filled = depressions_.restart(terrain.height, sea, options.sea_level, inlets_);
   if (context.stopped()) return fail("stopped");
   context.report("flow directions", 0.35);
   result.receiver = flow_directions(result.filled, sea, inlets_);
-  result.water_depth = Grid<float>(width, height);
-  result.discharge = Grid<float>(width, height);
-  result.water = Grid<WaterKind>(width, height, WaterKind::dry);
+  result.water_depth = Grid<float>::shareable(width, height);
+  result.discharge = Grid<float>::shareable(width, height);
+  static_assert(int(WaterKind::dry) == 0);
+  result.water = Grid<WaterKind>::shareable(width, height);
   if (context.stopped()) return fail("stopped");
   context.report("flow accumulation", 0.5);
   tbb::parallel_invoke(
@@ -104,10 +122,9 @@ Result<Hydrology> HydrologyState::compute(const Terrain& terrain, const Hydrolog
 }
 
 bool HydrologyState::can_follow(const Terrain& terrain, const TileSet& changed, const HydrologyOptions& options) const {
-  if (!land_ || changed.every() || has_sea_ || !same_setting(options_, options)) return false;
+  if (!land_ || changed.every() || !same_setting(options_, options)) return false;
   if (!catchments_.can_follow(terrain.cell_area(), options.inflows)) return false;
-  return find_sea(terrain.height, options.sea_level).empty() &&
-         (same_inflows(options_.inflows, options.inflows) || find_inlets(terrain, options) == inlets_);
+  return same_inflows(options_.inflows, options.inflows) || find_inlets(terrain, options) == inlets_;
 }
 
 Status HydrologyState::update(const std::shared_ptr<const Terrain>& land, const TileSet& changed, const HydrologyOptions& options,
@@ -127,18 +144,40 @@ Status HydrologyState::update(const std::shared_ptr<const Terrain>& land, const 
   return {};
 }
 
+TileSet HydrologyState::update_sea(const Terrain& terrain, const TileSet& heights, float sea_level) {
+  const Grid<float>& before = land_->height;
+  const Grid<float>& now = terrain.height;
+  const TileSet crossed = changed_tiles(heights, [&](const Rect& rect) {
+    bool any = false;
+    for (int y = rect.y0; y < rect.y1; ++y) {
+      for (int x = rect.x0; x < rect.x1; ++x) any = any || (before(x, y) < sea_level) != (now(x, y) < sea_level);
+    }
+    return any;
+  });
+  if (!crossed.any()) return crossed;
+  Grid<std::uint8_t> sea = find_sea(now, sea_level);
+  if (sea.empty() && sea_.empty()) return TileSet(now.width(), now.height());
+  const Grid<std::uint8_t> none(now.width(), now.height());
+  TileSet coast = differing_tiles_of(sea.empty() ? none : sea, sea_.empty() ? none : sea_);
+  sea_ = std::move(sea);
+  return coast;
+}
+
 void HydrologyState::follow(const Terrain& terrain, const TileSet& heights, const HydrologyOptions& options) {
-  if (!heights.any() && same_inflows(options_.inflows, options.inflows)) return;
+  const TileSet drawn = differing_lakes(options_, options, terrain.height);
+  if (!heights.any() && !drawn.any() && same_inflows(options_.inflows, options.inflows)) return;
   const auto before = hydrology_.newest();
   auto next = hydrology_.copy();
-  const TileSet filled = depressions_.update(terrain.height, inlets_, heights, next->filled);
-  const TileSet moved = filled | update_flow_directions(next->filled, inlets_, filled, before->receiver, next->receiver);
+  const TileSet coast = update_sea(terrain, heights, options.sea_level);
+  const TileSet ground = heights | coast;
+  const TileSet filled = coast | depressions_.update(terrain.height, sea_, options.sea_level, inlets_, ground, next->filled);
+  const TileSet moved = filled | update_flow_directions(next->filled, sea_, inlets_, filled, before->receiver, next->receiver);
   const FlowGround flow_before{before->filled, before->receiver};
   const FlowGround flow_now{next->filled, next->receiver};
   TileSet changed = moved | catchments_.update(flow_before, flow_now, moved, options.inflows, next->catchment_area);
   std::vector<std::uint32_t> other_flow = update_upstream_cells(flow_before, flow_now, moved, upstream_);
   TileSet watered = clear_rivers(*next);
-  const auto lakes = update_standing_water({*land_, *before}, terrain, heights | filled, options, *next);
+  const auto lakes = update_standing_water({*land_, *before}, terrain, sea_, ground | filled | drawn, options, *next);
   for (const std::uint32_t cell : lakes) watered.insert_cell(cell);
   other_flow.insert(other_flow.end(), lakes.begin(), lakes.end());
   changed |= update_discharge(terrain, options, upstream_, *before, {std::move(other_flow), options_.inflows}, *next);
@@ -147,7 +186,7 @@ void HydrologyState::follow(const Terrain& terrain, const TileSet& heights, cons
   trace_reaches(*next);
   mark_rivers(terrain, *next);
   find_fords(terrain, *next);
-  watered |= tiles_of_rivers(terrain, *next);
+  watered |= ground | tiles_of_rivers(terrain, *next);
   changed |= changed_tiles(watered, [&](const Rect& rect) {
     return !same_cells(next->water, before->water, rect) || !same_cells(next->water_depth, before->water_depth, rect);
   });

@@ -11,6 +11,7 @@
 namespace biotope {
 
 struct HydrologyCopy {
+  static bool fork(const Hydrology& from, Hydrology& to);
   static Hydrology value(const Hydrology& from);
   static void tiles(const Hydrology& from, Hydrology& to, const TileSet& tiles);
 };
@@ -33,12 +34,15 @@ class HydrologyState {
  private:
   [[nodiscard]] bool can_follow(const Terrain& terrain, const TileSet& changed, const HydrologyOptions& options) const;
   void follow(const Terrain& terrain, const TileSet& heights, const HydrologyOptions& options);
+  /// Brings the sea up to date; returns the tiles in which it is another.
+  [[nodiscard]] TileSet update_sea(const Terrain& terrain, const TileSet& heights, float sea_level);
 
   DepressionField depressions_;
   CatchmentField catchments_;
   Grid<std::uint32_t> upstream_;
   Grid<std::uint8_t> inlets_;
-  bool has_sea_ = false;
+  /// As find_sea makes it.
+  Grid<std::uint8_t> sea_;
   /// What the newest was computed for; null while it is not to be followed.
   std::shared_ptr<const Terrain> land_;
   HydrologyOptions options_;

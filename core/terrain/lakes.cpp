@@ -37,13 +37,15 @@ void gather_depression(const FilledGround& ground, std::uint32_t start, const Ma
   }
 }
 
-/// Marks a depression as a lake if it is deep and large enough.
+/// Marks a depression as a lake if it is deep and large enough, or drawn by a person.
 void mark_lake(const Terrain& terrain, const HydrologyOptions& options, const std::vector<std::uint32_t>& cells,
                Hydrology& hydrology) {
   const Grid<float>& filled = hydrology.filled;
   float deepest = 0;
   for (const std::uint32_t cell : cells) deepest = std::max(deepest, filled[cell] - terrain.height[cell]);
-  if (deepest < options.lake_depth || double(cells.size()) * terrain.cell_area() < options.lake_area) return;
+  const bool small = deepest < options.lake_depth || double(cells.size()) * terrain.cell_area() < options.lake_area;
+  const auto drawn = [&](std::uint32_t cell) { return std::ranges::binary_search(options.lake_cells, cell); };
+  if (small && (options.lake_cells.empty() || std::none_of(cells.begin(), cells.end(), drawn))) return;
   for (const std::uint32_t cell : cells) {
     hydrology.water[cell] = WaterKind::lake;
     hydrology.water_depth[cell] = filled[cell] - terrain.height[cell];
@@ -72,14 +74,40 @@ void mark_standing_water(const Terrain& terrain, const Grid<std::uint8_t>& sea, 
   }
 }
 
-std::vector<std::uint32_t> update_standing_water(const WateredGround& before, const Terrain& terrain, const TileSet& changed,
+namespace {
+
+/// Marks the sea of some tiles; returns the cells that it took or left.
+std::vector<std::uint32_t> update_sea(const Terrain& terrain, const Grid<std::uint8_t>& sea, const TileSet& tiles,
+                                      float sea_level, Hydrology& water) {
+  std::vector<std::uint32_t> other;
+  for (const std::size_t tile : tiles.list()) {
+    const Rect rect = tiles.rect(tile);
+    for (int y = rect.y0; y < rect.y1; ++y) {
+      for (int x = rect.x0; x < rect.x1; ++x) {
+        const std::size_t cell = terrain.height.index(x, y);
+        const bool is_sea = !sea.empty() && sea[cell] != 0;
+        const bool was_sea = water.water[cell] == WaterKind::sea;
+        if (!is_sea && !was_sea) continue;
+        if (is_sea != was_sea) other.push_back(std::uint32_t(cell));
+        water.water[cell] = is_sea ? WaterKind::sea : WaterKind::dry;
+        water.water_depth[cell] = is_sea ? sea_level - terrain.height[cell] : 0;
+      }
+    }
+  }
+  return other;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> update_standing_water(const WateredGround& before, const Terrain& terrain,
+                                                 const Grid<std::uint8_t>& sea, const TileSet& changed,
                                                  const HydrologyOptions& options, Hydrology& water) {
   const TileSet asked = changed.grown(1);
   std::vector<std::uint32_t> all;
   // Each depression near the change: first those of before are dried, then those of now are marked.
-  const auto each_depression = [&](const FilledGround& ground, const auto& body) {
+  const auto each_depression = [&](const FilledGround& ground, const auto& is_sea, const auto& body) {
     CellMarks marks(terrain.height.width(), terrain.height.height());
-    const auto mark = [&](std::size_t cell) { return marks.mark(cell); };
+    const auto mark = [&](std::size_t cell) { return !is_sea(cell) && marks.mark(cell); };
     std::vector<std::uint32_t> cells;
     for (const std::size_t tile : asked.list()) {
       const Rect rect = asked.rect(tile);
@@ -94,15 +122,21 @@ std::vector<std::uint32_t> update_standing_water(const WateredGround& before, co
       }
     }
   };
-  each_depression({before.terrain.height, before.hydrology.filled}, [&](const std::vector<std::uint32_t>& cells) {
-    for (const std::uint32_t cell : cells) {
-      if (water.water[cell] != WaterKind::lake) continue;
-      water.water[cell] = WaterKind::dry;
-      water.water_depth[cell] = 0;
-    }
-  });
-  each_depression({terrain.height, water.filled},
-                  [&](const std::vector<std::uint32_t>& cells) { mark_lake(terrain, options, cells, water); });
+  const Grid<WaterKind>& kind_before = before.hydrology.water;
+  each_depression(
+      {before.terrain.height, before.hydrology.filled}, [&](std::size_t cell) { return kind_before[cell] == WaterKind::sea; },
+      [&](const std::vector<std::uint32_t>& cells) {
+        for (const std::uint32_t cell : cells) {
+          if (water.water[cell] != WaterKind::lake) continue;
+          water.water[cell] = WaterKind::dry;
+          water.water_depth[cell] = 0;
+        }
+      });
+  const std::vector<std::uint32_t> coast = update_sea(terrain, sea, changed, options.sea_level, water);
+  all.insert(all.end(), coast.begin(), coast.end());
+  each_depression(
+      {terrain.height, water.filled}, [&](std::size_t cell) { return !sea.empty() && sea[cell] != 0; },
+      [&](const std::vector<std::uint32_t>& cells) { mark_lake(terrain, options, cells, water); });
   return all;
 }
 

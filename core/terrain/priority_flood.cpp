@@ -289,13 +289,13 @@ Grid<float> DepressionField::restart(const Grid<float>& height, const Grid<std::
   parallel_each(tiles_.size(), [&](std::size_t t) { flood(t, height, sea, sea_level); });
   parallel_each(tiles_.size(), [&](std::size_t t) { join(t, inlets); });
   (void)spill();
-  Grid<float> filled(width, rows);
+  auto filled = Grid<float>::shareable(width, rows);
   parallel_each(tiles_.size(), [&](std::size_t t) { (void)raise(rect(t), filled); });
   return filled;
 }
 
-TileSet DepressionField::update(const Grid<float>& height, const Grid<std::uint8_t>& inlets, const TileSet& changed,
-                                Grid<float>& filled) {
+TileSet DepressionField::update(const Grid<float>& height, const Grid<std::uint8_t>& sea, float sea_level,
+                                const Grid<std::uint8_t>& inlets, const TileSet& changed, Grid<float>& filled) {
   static_assert(flood_tile % tile_side == 0);
   std::vector<char> dirty(tiles_.size(), 0);
   std::vector<char> beside(tiles_.size(), 0);
@@ -311,9 +311,8 @@ TileSet DepressionField::update(const Grid<float>& height, const Grid<std::uint8
       }
     }
   }
-  const Grid<std::uint8_t> no_sea;
   parallel_each(tiles_.size(), [&](std::size_t t) {
-    if (dirty[t] != 0) flood(t, height, no_sea, 0);
+    if (dirty[t] != 0) flood(t, height, sea, sea_level);
   });
   parallel_each(tiles_.size(), [&](std::size_t t) {
     if (beside[t] != 0) join(t, inlets);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,9 @@ namespace biotope {
 /// What flows into the ground at the heads of drawn rivers: the catchment areas that give their discharge at this runoff (m /
 /// year).
 [[nodiscard]] std::vector<Inflow> inflows_of(const DrawnWater& water, const Terrain& terrain, double runoff);
+
+/// Cells of a map, in ascending order, that lie in the basins of drawn lakes: water stands there however little it is.
+[[nodiscard]] std::vector<std::uint32_t> cells_of_lakes(std::span<const DrawnLake> lakes, const Rect& map);
 
 /// The smooth curve through points that rivers and shores follow (a centripetal Catmull-Rom spline), as points at most `step`
 /// cells apart; closed curves end where they begin.

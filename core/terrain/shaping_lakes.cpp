@@ -157,19 +157,42 @@ std::vector<CutCell> basin_floor(const LakeBasin& lake, float depth, const Terra
   return cells;
 }
 
+/// A drawn lake's parts, without its surface; without cells where it has no place on the map.
+LakeBasin outline(const DrawnLake& drawn, const Rect& map) {
+  LakeBasin lake;
+  if (drawn.shore.size() < 3 || !(drawn.depth > 0)) return lake;
+  const std::vector<PathPoint> shore = smooth_line(drawn.shore, true);
+  lake.bounds = bounds_of(shore, map);
+  if (lake.bounds.empty()) return lake;
+  lake.parts = Grid<std::uint8_t>(lake.bounds.width(), lake.bounds.height(), LakeBasin::outside);
+  mark_inside(shore, lake);
+  mark_rim(lake, map);
+  return lake;
+}
+
 }  // namespace
+
+std::vector<std::uint32_t> cells_of_lakes(std::span<const DrawnLake> lakes, const Rect& map) {
+  std::vector<std::uint32_t> cells;
+  for (const DrawnLake& drawn : lakes) {
+    const LakeBasin lake = outline(drawn, map);
+    for (int y = lake.bounds.y0; y < lake.bounds.y1; ++y) {
+      for (int x = lake.bounds.x0; x < lake.bounds.x1; ++x) {
+        if (lake.part(x, y) == LakeBasin::basin)
+          cells.push_back(std::uint32_t(y) * std::uint32_t(map.width()) + std::uint32_t(x));
+      }
+    }
+  }
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  return cells;
+}
 
 std::vector<LakeBasin> dig_lakes(Terrain& terrain, std::span<const DrawnLake> lakes) {
   std::vector<LakeBasin> dug;
   for (const DrawnLake& drawn : lakes) {
-    if (drawn.shore.size() < 3 || !(drawn.depth > 0)) continue;
-    const std::vector<PathPoint> shore = smooth_line(drawn.shore, true);
-    LakeBasin lake;
-    lake.bounds = bounds_of(shore, terrain.height.rect());
+    LakeBasin lake = outline(drawn, terrain.height.rect());
     if (lake.bounds.empty()) continue;
-    lake.parts = Grid<std::uint8_t>(lake.bounds.width(), lake.bounds.height(), LakeBasin::outside);
-    mark_inside(shore, lake);
-    mark_rim(lake, terrain.height.rect());
     lake.surface = std::numeric_limits<float>::infinity();
     bool has_basin = false;
     for (int y = lake.bounds.y0; y < lake.bounds.y1; ++y) {

@@ -10,7 +10,7 @@
 
 namespace biotope {
 
-// Where water stands and runs on a ground without sea that changed in some tiles; see water_marking.hpp for the whole ground.
+// Where water stands and runs on a ground that changed in some tiles; see water_marking.hpp for the whole ground.
 
 /// A ground and the water on it.
 struct WateredGround {
@@ -18,11 +18,12 @@ struct WateredGround {
   const Hydrology& hydrology;
 };
 
-/// Marks the lakes again that reach near the changed tiles, those where heights or filled heights differ between `before` and
-/// now. `water` holds the lakes of before and gets those of now. Returns the cells of all of them.
+/// Marks the lakes again that reach near the changed tiles, those where heights, filled heights or the sea differ between
+/// `before` and now, and the sea in them. `water` holds the lakes and the sea of before and gets those of now. Returns the cells
+/// of all of these lakes, and those that the sea took or left.
 [[nodiscard]] std::vector<std::uint32_t> update_standing_water(const WateredGround& before, const Terrain& terrain,
-                                                               const TileSet& changed, const HydrologyOptions& options,
-                                                               Hydrology& water);
+                                                               const Grid<std::uint8_t>& sea, const TileSet& changed,
+                                                               const HydrologyOptions& options, Hydrology& water);
 
 /// What discharge follows from, beside the cells upstream.
 struct DischargeChange {

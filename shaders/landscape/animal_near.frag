@@ -3,5 +3,7 @@
 #include "landscape/atmosphere.glsl"
 #include "landscape/ground.glsl"
 #include "landscape/clouds.glsl"
+#include "landscape/shade.glsl"
+#include "landscape/snow.glsl"
 const bool with_fur = true;
 #include "landscape/animal_coat.glsl"

@@ -7,19 +7,18 @@ layout(location = 3) in vec4 rig;
 layout(location = 4) in vec4 place;   // relative to the eye; w: size
 layout(location = 5) in vec4 motion;  // sine and cosine of the heading, strides walked, length of a stride
 layout(location = 6) in vec4 pose;    // head down, lying, alarm, gait: 0 walk, 1 trot, 2 gallop
-layout(location = 7) in vec4 stand;   // rise of the ground ahead and to the left, shade of the coat, headgear (negative: young)
-layout(std140, binding = 2) uniform Skeleton {
-  vec4 joints[12];   // hip, knee and foot: left hind, left fore, right hind, right fore
-  vec4 neck_head;    // x, z of the neck's root and of the head's
-  vec4 graze;        // turns of neck, head and trunk to the ground; how far the trunk sinks lying
-  vec4 body;         // hip height; x, z of the tail's root; height at the shoulder
-  vec4 look;         // x: spots
-} skeleton;
+layout(location = 7) in vec4 stand;   // rise of the ground ahead and to the left, shade of the coat, headgear (negative: young; 2 more: velvet)
+#include "landscape/animal_skeleton.glsl"
+#ifdef SHADOW_CASTER
+#include "landscape/shadow_view.glsl"
+uniform int cascade;
+#endif
 out vec3 offset;
 out vec3 normal;
 out vec3 coat;
 out vec3 on_body;
 out vec4 veil;
+out float spotted;
 out float above_ground;
 
 const float turn_round = 6.2831853;
@@ -85,7 +84,9 @@ void bend_leg(inout vec3 p, inout vec3 n) {
   moved_hip.x += 0.38 * step.x;
   target.z += stand.x * target.x + stand.y * target.y;
   // Lying, feet are drawn up under the trunk.
-  vec3 folded = vec3(hip.x + (hind ? 0.20 : -0.02) * skeleton.body.w, foot.y * 1.5, 0.03 * skeleton.body.w);
+  // One foreleg is stretched out, the other one folded; hind feet lie along the flank.
+  float stretched = hind ? 0.27 : leg == 1 ? 0.58 : -0.02;
+  vec3 folded = vec3(hip.x + stretched * skeleton.body.w, foot.y * (hind ? 1.9 : 1.5), 0.03 * skeleton.body.w);
   folded.z += stand.x * folded.x + stand.y * folded.y;
   target = mix(target, folded, pose.y);
 
@@ -129,9 +130,20 @@ void swing_leg(inout vec3 p, inout vec3 n) {
   p.z = mix(p.z, 0.25 * p.z, pose.y) + step.y * (1.0 - p.z / hip.z) + stand.x * p.x;
 }
 
+// The coat of the month; headgear is bone or velvet.
+vec3 coat_of_month(float velvet) {
+  if (rig.x > 6.5) return mix(colour_in, vec3(0.30, 0.22, 0.155), 0.9 * velvet);
+  vec3 dull = mix(colour_in, vec3(dot(colour_in, vec3(0.30, 0.55, 0.15))), skeleton.winter.x);
+  return mix(dull, vec3(0.82, 0.755, 0.65), skeleton.winter.y) * skeleton.winter.z;
+}
+
 void main() {
   vec3 p = position;
   vec3 n = normal_in;
+  float velvet = step(1.5, stand.w);
+  // Long hair on trunk, neck and thighs.
+  float hairy = rig.x < 0.5 ? 1.0 - 0.8 * rig.z : rig.x < 4.5 ? 0.6 * clamp(1.0 - 2.0 * rig.y, 0.0, 1.0) : rig.x < 5.5 ? 0.5 : 0.0;
+  p += n * (skeleton.winter.w * hairy + (rig.x > 6.5 ? 0.006 * velvet : 0.0));
   float seed = fract(stand.z * 57.31);
   float seconds = frame.wind.z + 40.0 * seed;
   if (rig.x > 0.5 && rig.x < 4.5) {
@@ -141,7 +153,7 @@ void main() {
     float gallop = clamp(pose.w - 1.0, 0.0, 1.0);
     if (rig.x > 6.5) {
       // Headgear that this one has less of, or not, shrinks into the head.
-      p = mix(vec3(skeleton.neck_head.z, 0.0, skeleton.neck_head.w), p, max(stand.w, 0.0));
+      p = mix(vec3(skeleton.neck_head.z, 0.0, skeleton.neck_head.w), p, max(stand.w, 0.0) - 2.0 * velvet);
     } else if (rig.x > 5.5) {
       // Ears flick now and then.
       float flick = smoothstep(0.93, 1.0, sin(seconds * 0.9 + rig.w * 2.1)) * sin(seconds * 19.0);
@@ -174,7 +186,15 @@ void main() {
   vec2 left = vec2(-ahead.y, ahead.x);
   offset = place.xyz + vec3(ahead * p.x + left * p.y, p.z);
   normal = vec3(ahead * n.x + left * n.y, n.z);
-  coat = colour_in * stand.z;
+  // No two are of one colour.
+  coat = coat_of_month(velvet) * stand.z * mix(vec3(1.05, 1.0, 0.94), vec3(0.95, 1.0, 1.06), fract(stand.z * 913.7));
+  spotted = stand.w < 0.0 && abs(skeleton.look.x) < skeleton.look.w ? skeleton.look.w : skeleton.look.x;
   veil = vec4(apply_haze(vec3(0.0), offset, 1.0), haze(offset));
+#ifdef SHADOW_CASTER
+  vec3 seen = in_light(offset);
+  vec4 square = shadows.cascades[cascade];
+  gl_Position = vec4((seen.xy - square.xy) / square.z, (shadows.up.w - seen.z) * shadows.right.w, 1.0);
+#else
   gl_Position = frame.view_projection * vec4(offset, 1.0);
+#endif
 }

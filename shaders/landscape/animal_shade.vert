@@ -5,23 +5,18 @@ layout(location = 4) in vec4 place;
 layout(location = 5) in vec4 motion;
 layout(location = 6) in vec4 pose;
 layout(location = 7) in vec4 stand;
-layout(std140, binding = 2) uniform Skeleton {
-  vec4 joints[12];
-  vec4 neck_head;
-  vec4 graze;
-  vec4 body;
-  vec4 look;         // y: half length, z: half width of the trunk
-} skeleton;
+#include "landscape/animal_skeleton.glsl"
+uniform float strength;
 out vec3 offset;
 out vec2 within;
 
-// The shadow of a trunk, an ellipsoid above the ground, is an ellipse.
+// The shadow of a trunk on legs is an ellipse about, from the feet to where the back's shadow ends.
 void main() {
   float height = skeleton.body.w;
   vec3 light = frame.light_direction.xyz;
-  vec2 slant = -light.xy / max(light.z, 0.22);
-  float half_height = 0.25 * height;
-  float middle = mix(0.62 * height, half_height, pose.y);
+  // Where shadows are drawn, what is left lies right under the animal.
+  vec2 slant = -light.xy / max(light.z, 0.22) * smoothstep(0.5, 0.9, strength);
+  float half_height = mix(0.46, 0.25, pose.y) * height;
   // Half axes squared of the ellipse: the trunk's from above, drawn out along the light.
   vec2 ahead = motion.xy;
   vec2 left = vec2(-ahead.y, ahead.x);
@@ -36,7 +31,7 @@ void main() {
   float l21 = xy / l11;
   float l22 = sqrt(max(yy - l21 * l21, 1e-6));
   vec2 out_to = corner * 1.25;
-  vec2 at = vec2(l11 * out_to.x, l21 * out_to.x + l22 * out_to.y) + slant * middle;
+  vec2 at = vec2(l11 * out_to.x, l21 * out_to.x + l22 * out_to.y) + slant * half_height;
   at *= place.w;
   float rise = stand.x * dot(at, ahead) + stand.y * dot(at, left);
   offset = place.xyz + vec3(at, rise + 0.03);

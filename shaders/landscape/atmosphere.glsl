@@ -37,6 +37,21 @@ vec3 haze_colour(vec3 offset) {
 
 vec3 apply_haze(vec3 colour, vec3 offset, float amount) { return mix(colour, haze_colour(offset), amount); }
 
+// What to_screen made of light, back again.
+vec3 from_screen(vec3 colour) {
+  vec3 y = min(colour, 0.985);
+  vec3 a = 6.2 * (1.0 - y);
+  vec3 b = 0.5 - 1.7 * y;
+  vec3 x = (sqrt(b * b + 0.24 * a * y) - b) / (2.0 * a);
+  vec3 light = (x + 0.003) / 0.92;
+  const vec3 brightness = vec3(0.2126, 0.7152, 0.0722);
+  vec3 tint = mix(vec3(1.0), vec3(0.80, 0.98, 1.25), frame.light_direction.w);
+  float colourful = mix(1.11, 0.58, frame.light_direction.w);
+  float luminance = dot(light, brightness) / (colourful + (1.0 - colourful) * dot(tint, brightness));
+  light = max((light - (1.0 - colourful) * luminance * tint) / colourful, 0.0);
+  return light / (frame.fall.w * mix(1.04, 0.95, frame.light_direction.w));
+}
+
 // Linear light to screen. The curve is Hejl and Burgess-Dawson's filmic one (2010), gamma included: dark tones keep their contrast
 // and lights roll off softly.
 vec3 to_screen(vec3 light) {

@@ -4,7 +4,8 @@ uniform vec4 lod;  // pixels from which a plant is a near mesh and a mesh at all
 float seen_pixels(vec3 offset, float height, float rank) {
   return 579.0 * height / max(length(offset), 0.5) * (0.88 + 0.24 * rank);
 }
-float near_share(float pixels) { return smoothstep(0.93 * lod.x, lod.x, pixels); }
+// Share of a level of detail that begins at a height on the screen.
+float level_share(float begins, float pixels) { return smoothstep(0.93 * begins, begins, pixels); }
 float mesh_share(float pixels) { return smoothstep(0.93 * lod.y, lod.y, pixels); }
 // Where fewer plants are shown, those of the lowest rank stay; each fades out over a tenth of the ranks.
 float far_share(float distance_to, float rank) {

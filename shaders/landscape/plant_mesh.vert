@@ -3,6 +3,7 @@
 #include "landscape/atmosphere.glsl"
 #include "landscape/clouds.glsl"
 #include "landscape/ground.glsl"
+#include "landscape/shade.glsl"
 #include "landscape/plant_kinds.glsl"
 #include "landscape/plant_light.glsl"
 #include "landscape/plant_lod.glsl"
@@ -16,15 +17,19 @@ layout(location = 3) in vec4 material;  // picture, open, fall, leaf
 layout(location = 4) in vec4 stands;    // foot, scale
 layout(location = 5) in vec4 own;       // turn, tint, rank, plant
 layout(binding = 6) uniform sampler2D sunlit;
-layout(binding = 7) uniform sampler2D canopy_shade;
 uniform vec3 wood_colour;
 uniform vec3 high_wood_colour;
-uniform float nearness;  // 1: near meshes, 0: those farther away
+uniform vec2 level;  // height on the screen in pixels from which a finer mesh is drawn, and from which this one is
 out vec3 card;
 out vec3 light;
 out vec3 leaf_tone;
 out vec3 wood_tone;
 out vec4 veil;
+#ifdef WITH_SHADOWS
+out vec3 direct;     // what of the light the sun sends
+out vec4 in_shadow;  // relative to the eye; w: share of the sun that is thought to come here
+flat out float nearer;
+#endif
 flat out vec2 shown;  // of the dither's thresholds
 
 void main() {
@@ -32,7 +37,7 @@ void main() {
   float height = kinds.form[plant].y * stands.w;
   vec3 foot = stands.xyz - frame.eye.xyz;
   float pixels = seen_pixels(foot, height, own.z);
-  shown = nearness > 0.5 ? vec2(0.0, near_share(pixels)) : vec2(near_share(pixels), mesh_share(pixels));
+  shown = vec2(level_share(level.x, pixels), level_share(level.y, pixels));
 
   float c = cos(own.x);
   float s = sin(own.x);
@@ -48,11 +53,20 @@ void main() {
   bool bare = material.z < own_bare(plant, own.y);
   float open = bare ? mix(material.y, 1.0, 0.6) : material.y;
   // Among other crowns little sun comes down to the lower parts.
-  vec2 shaded = (stands.xy - frame.shade_area.xy) / frame.shade_area.z;
-  float shade = frame.shade_area.w > 0.0 ? textureLod(canopy_shade, shaded, 0.0).r : 0.0;
+  float shade = drawn_shade(stands.xy + at.xy - toward_light_on_ground() * at.z).x;
   float up = clamp(position.z / kinds.form[plant].y, 0.0, 1.0);
-  float sun = textureLod(sunlit, ground_uv(stands.xy), 0.0).r * cloud_light(stands.xy, stands.z) * (1.0 - 0.6 * shade * (1.0 - smoothstep(0.15, 0.75, up)));
-  light = foliage_light(upward, normalize(offset), open, sun);
+  float sun = textureLod(sunlit, ground_uv(stands.xy), 0.0).r * cloud_light(stands.xy, stands.z);
+  float past_crowns = 1.0 - 0.85 * shade * (1.0 - smoothstep(0.25, 0.85, up) * smoothstep(1.0, 4.0, height));
+#ifdef WITH_SHADOWS
+  vec3 view = normalize(offset);
+  light = foliage_light(upward, view, open, 0.0);
+  direct = foliage_light(upward, view, open, sun) - light;
+  in_shadow = vec4(offset, past_crowns);
+  // A crown's own shade is painted on its leaves.
+  nearer = material.w > 0.5 ? 0.6 * kinds.form[plant].x * stands.w : 0.35;
+#else
+  light = foliage_light(upward, normalize(offset), open, sun * past_crowns);
+#endif
   // Every card a little lighter or darker than its neighbours.
   float card_tone = 0.84 + 0.32 * fract(material.z * 7.77);
   leaf_tone = own_leaf(plant, own.y) * own_tone(own.y) * card_tone;
@@ -66,7 +80,6 @@ void main() {
   if (material.w > 0.5) wood_tone = min(wood_tone, vec3(0.095, 0.083, 0.075));
   // Twigs are thinner than the dots that show them: what is behind them shines through, the more the farther they are.
   float thin = bare && material.w > 0.5 ? smoothstep(4.0, 45.0, length(foot)) : 0.0;
-  wood_tone *= 1.0 + 0.25 * thin;
-  veil = vec4(haze_colour(offset), mix(haze(offset), 1.0, 0.15 * thin));
+  veil = vec4(haze_colour(offset), mix(haze(offset), 1.0, 0.05 * thin));
   gl_Position = shown.x < shown.y ? frame.view_projection * vec4(offset, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
 }

@@ -2,4 +2,5 @@
 in vec2 within;
 flat in float density;
 out vec4 shade;
-void main() { shade = vec4(density * (1.0 - smoothstep(0.62, 1.0, length(within)))); }
+// Thinner toward the rim, where light comes past fewer leaves.
+void main() { shade = vec4(density * (1.0 - smoothstep(0.45, 1.0, length(within)))); }

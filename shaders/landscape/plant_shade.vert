@@ -1,5 +1,6 @@
 #version 450 core
 #include "landscape/frame.glsl"
+#include "landscape/ground.glsl"
 #include "landscape/plant_kinds.glsl"
 layout(location = 4) in vec4 stands;
 layout(location = 5) in vec4 own;
@@ -11,7 +12,7 @@ flat out float density;
 void main() {
   int plant = int(own.w + 0.5);
   vec4 form = kinds.form[plant];
-  float radius = 0.78 * form.x * stands.w;
+  float radius = 0.86 * form.x * stands.w;
   float height = form.y * stands.w;
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
   // A crown's shadow is an ellipse, drawn out away from the light; its middle lies where the crown's centre falls.
@@ -21,7 +22,15 @@ void main() {
   float slant = level / max(to_light.z, 0.14);
   float middle = 0.5 * (1.0 + form.z) * height;
   float half_crown = 0.5 * (1.0 - form.z) * height;
+  // Where it meets the ground: nearer on a slope that faces the light, farther on one that turns away.
   vec2 centre = stands.xy - along * slant * middle;
+  float drop = middle;
+  for (int step = 0; step < 2; ++step) {
+    float below = stands.z + middle - textureLod(heights, ground_uv(centre), 0.0).r;
+    drop = clamp(mix(drop, below, 0.7), 0.35 * middle, 2.5 * middle);
+    centre = stands.xy - along * slant * drop;
+  }
+  half_crown *= drop / middle;
   float reach = sqrt(radius * radius + half_crown * half_crown * slant * slant);
   vec2 at = centre + along * corner.x * reach + vec2(-along.y, along.x) * corner.y * radius;
   within = corner;

@@ -3,10 +3,15 @@
 #include "landscape/atmosphere.glsl"
 #include "landscape/clouds.glsl"
 #include "landscape/ground.glsl"
+#include "landscape/shade.glsl"
 #include "landscape/plant_kinds.glsl"
 #include "landscape/plant_light.glsl"
 #include "landscape/plant_wind.glsl"
 #include "landscape/snow.glsl"
+#ifdef WITH_SHADOWS
+#include "landscape/shadow_view.glsl"
+#include "landscape/shadow.glsl"
+#endif
 layout(location = 0) in vec3 position;
 layout(location = 2) in vec2 card_uv;
 layout(location = 3) in vec4 material;  // picture, open, fall, leaf
@@ -14,7 +19,6 @@ layout(location = 4) in vec4 stands;    // foot, scale
 layout(location = 5) in vec4 own;       // turn, tint, rank, plant
 layout(binding = 2) uniform sampler2D ground_colours;
 layout(binding = 6) uniform sampler2D sunlit;
-layout(binding = 7) uniform sampler2D canopy_shade;
 uniform vec3 flower_colour;
 uniform float bloom;
 uniform vec2 fade;   // metres over which tufts sink into the colour of the ground
@@ -37,7 +41,9 @@ void main() {
   // Grazed plants are short, but hardly narrower.
   float snow = snow_share(stands.z, vec3(0.0, 0.0, 1.0), 0.4 + 0.5 * own.y);
   // Deep snow buries all but the tips.
-  vec3 at = position * vec3(vec2(0.55 + 0.45 * stands.w), stands.w * (1.0 - 0.8 * snow));
+  // Where fewer stand for all, each is wider.
+  float wider = given.x < 0.0 ? 1.0 + 1.3 * smoothstep(abs(given.x), 40.0, distance_to) : 1.0;
+  vec3 at = position * vec3(vec2(0.55 + 0.45 * stands.w) * wider, stands.w * (1.0 - 0.8 * snow));
   at.xy = mat2(c, s, -s, c) * at.xy;
   float strength = gust(stands.xy);
   vec2 way = frame.wind.xy / max(length(frame.wind.xy), 1e-3);
@@ -49,10 +55,12 @@ void main() {
   // Lit as the ground is, so that tufts do not stand out of it.
   vec2 uv = ground_uv(stands.xy);
   float sun = textureLod(sunlit, uv, 0.0).r * cloud_light(stands.xy, stands.z);
-  vec2 shaded = (stands.xy - frame.shade_area.xy) / frame.shade_area.z;
-  // Sun comes through crowns in flecks.
-  float fleck = 0.55 + 0.75 * fract(own.y * 17.3);
-  if (frame.shade_area.w > 0.0) sun *= 1.0 - min(1.0, frame.shade_area.w * fleck * textureLod(canopy_shade, shaded, 0.0).r);
+  // Sun comes through crowns in flecks, the same as on the ground.
+  float past_crowns = light_in_flecks(drawn_shade(stands.xy).x, 0.7 * fleck_at(stands.xy) + 0.3 * fract(own.y * 17.3));
+#ifdef WITH_SHADOWS
+  past_crowns = light_past_plants(foot + vec3(0.0, 0.0, 0.6 * at.z), 0.0, past_crowns, 0.5);
+#endif
+  sun *= past_crowns;
   vec3 view = offset / max(distance_to, 0.1);
   float through = 0.3 * material.y * max(dot(view, frame.light_direction.xyz), 0.0);
   vec3 light = frame.light_colour.rgb * sun * (max(frame.light_direction.z, 0.0) * 0.92 + through) +
@@ -68,13 +76,13 @@ void main() {
   const vec3 brightness = vec3(0.3, 0.55, 0.15);
   blade *= mix(1.0, clamp(dot(ground, brightness) / max(dot(blade, brightness), 0.01), 0.5, 2.0), 0.75);
   blade *= sward_patch(textureLod(detail, sward_place(stands.xy), 0.0).a);
-  vec3 own_colour = blade * own_tone(own.y) * (1.0 + 0.022 * (strength - 0.62 * length(frame.wind.xy)) * up);
-  vec3 leaf = mix(ground, own_colour, (0.35 + 0.5 * up) * (1.0 - 0.70 * far));
+  vec3 own_colour = blade * own_tone(own.y) * (0.80 + 0.40 * fract(own.y * 29.3)) * (1.0 + 0.022 * (strength - 0.62 * length(frame.wind.xy)) * up);
+  vec3 leaf = mix(ground, own_colour, (0.30 + 0.6 * up) * (1.0 - 0.55 * far));
   leaf = mix(leaf, snow_albedo, snow * (1.0 - 0.6 * up) * 0.9) * (1.0 - 0.25 * frame.weather.w * rain_share(stands.z));
   // Cards have their own shades from root to tip, blades only those of the vertex.
   float shade = material.x > 0.5 ? 0.86 + 0.46 * up : 0.20 + 1.06 * material.y;
-  tone = leaf * light * mix(shade, 1.0, 0.7 * far);
-  flower_tone = flower_colour * light;
+  tone = leaf * light * mix(shade, 1.0, 0.45 * far);
+  flower_tone = 0.86 * flower_colour * light;
   card = vec3(card_uv, material.x);
   veil = vec4(haze_colour(offset), haze(offset));
   gl_Position = shown.x < shown.y ? frame.view_projection * vec4(offset, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);

@@ -3,10 +3,13 @@
 #include "landscape/atmosphere.glsl"
 #include "landscape/clouds.glsl"
 #include "landscape/ground.glsl"
+#include "landscape/shade.glsl"
 #include "landscape/snow.glsl"
 const bool with_water = false;
 const bool with_canopy = true;
 const bool with_detail = false;
 #include "landscape/water.glsl"
+#include "landscape/ford.glsl"
 #include "landscape/plant_canopy.glsl"
+#include "landscape/litter.glsl"
 #include "landscape/terrain_surface.glsl"

@@ -1,12 +1,15 @@
 // The ground's colour. A file that includes this says first whether water may be near (`with_water`), whether crowns are painted on
 // the ground (`with_canopy`) and whether there is time for small things (`with_detail`): software renderers run both sides of every
 // branch, so what a patch cannot need must be compiled out.
+#ifdef WITH_SHADOWS
+#include "landscape/shadow_view.glsl"
+#include "landscape/shadow.glsl"
+#endif
 layout(binding = 1) uniform sampler2D normals;
 layout(binding = 2) uniform sampler2D ground_colours;
 layout(binding = 4) uniform sampler2D canopy_colours;
 layout(binding = 5) uniform sampler2D lines;        // red: distance to the shore, green: worn earth
 layout(binding = 6) uniform sampler2D sunlit;
-layout(binding = 7) uniform sampler2D canopy_shade;
 uniform vec4 canopy_range;  // metres from which the canopy is painted on the ground, and where wholly; z: strength
 uniform vec4 show;          // water, trails
 uniform vec4 brush;         // x, y, radius in metres; w: 1 when there is one
@@ -28,14 +31,17 @@ float painted_share(float to_eye) {
   return max(smoothstep(canopy_range.x, canopy_range.y, to_eye), 1.0 - inside.x * inside.y);
 }
 
-// `fleck` 0..1, mean one half: sun comes through crowns in flecks, and their edges are ragged.
-float shade_of_crowns(float fleck) {
-  if (frame.shade_area.w <= 0.0) return 1.0;
-  vec2 at = (place - frame.shade_area.xy) / frame.shade_area.z;
-  vec2 edge = smoothstep(vec2(0.0), vec2(0.06), at) * (1.0 - smoothstep(vec2(0.94), vec2(1.0), at));
-  float shade = texture(canopy_shade, at).r;
-  shade = clamp(shade + (fleck - 0.5) * 1.7 * min(shade * 2.0, 1.0), 0.0, 1.0);
-  return 1.0 - frame.shade_area.w * edge.x * edge.y * shade;
+// Share of direct light that crowns let through to the ground, and (y) of the sky's. `cover`: share of ground under crowns around.
+vec2 light_under_crowns(float cover, float painted) {
+  vec2 drawn = drawn_shade(place);
+  // Far from the eye: as the cover says, on the mean, and more the more aslant the light comes (as in crowns_seen()).
+  float sine = max(frame.light_direction.z, 0.14);
+  float hidden = 1.0 - pow(1.0 - min(cover, 0.98), sqrt(1.0 + 1.45 * (1.0 / (sine * sine) - 1.0)));
+  float around = 0.9 * frame.shade_area.w * hidden * (1.0 - 0.4 * painted);
+  drawn *= 1.0 - painted;
+  float shade = around * (1.0 - drawn.y) + drawn.x;
+  float sky = 1.0 - 0.45 * cover * cover * (1.0 - painted);
+  return vec2(light_in_flecks(shade, fleck_at(place)), sky);
 }
 
 void main() {
@@ -86,7 +92,10 @@ void main() {
   float worn = line.g * show.y;
   // Feet have worn the edges of a trail to tongues.
   float trodden = smoothstep(0.12, 0.62, worn * (0.70 + 0.85 * fine.a) + 0.35 * worn * (middle.b - 0.5));
-  albedo = mix(albedo, vec3(0.132, 0.101, 0.071) * (0.75 + 0.6 * fine.b), 0.92 * trodden);
+  if (with_detail) albedo = with_litter(albedo, place, texture(canopy_colours, uv, 1.0), fine, middle, to_eye, (1.0 - trodden) * (1.0 - rock), bumps);
+  // Earth that feet have bared; over rock it is gravel.
+  vec3 trail = mix(vec3(0.132, 0.101, 0.071), vec3(0.235, 0.222, 0.195), 0.8 * rock);
+  albedo = mix(albedo, trail * (0.75 + 0.6 * fine.b), 0.92 * trodden);
   if (with_detail) {
     // Sunken: its sides lean inward.
     vec2 texel = 1.0 / vec2(textureSize(lines, 0));
@@ -122,7 +131,7 @@ void main() {
     // Aslant one looks into the shade between crowns, and the ground between them lies in it.
     float down = clamp(-offset.z / to_eye, 0.0, 1.0);
     down *= down;
-    leaves = mix(leaves, dot(leaves, vec3(0.3, 0.55, 0.15)) * vec3(1.22, 0.98, 0.85), 0.30) * (0.42 + 0.60 * down * down);
+    leaves = mix(leaves, dot(leaves, vec3(0.3, 0.55, 0.15)) * vec3(1.22, 0.98, 0.85), 0.30) * (0.60 + 0.42 * down * down);
     albedo *= 1.0 - vec3(1.0, 1.0, 0.8) * (0.72 - 0.50 * down * down) * min(1.0, 1.3 * canopy.a) * canopy_range.z * sqrt(painted);
     albedo = mix(albedo, leaves, crowns);
     normal.xy += (clumps.rg - 0.502) * 1.7 * crowns;
@@ -132,7 +141,14 @@ void main() {
   // Wet earth is darker: water fills what scattered the light.
   albedo *= 1.0 - 0.42 * wet_ground * (1.0 - 0.6 * crowns);
 
-  float light_share = texture(sunlit, uv).r * shade_of_crowns(mix(0.5, 0.5 * (fine.a + sward.b), grassy)) * clear_sky;
+  // Crowns that stand toward the light.
+  float shading = texture(canopy_colours, ground_uv(ground_source(place + 8.0 * toward_light_on_ground())), 1.5).a;
+  vec2 under_crowns = light_under_crowns(shading * canopy_range.z, with_canopy ? painted_share(to_eye) : 0.0);
+#ifdef WITH_SHADOWS
+  under_crowns.x = light_past_plants(offset, 0.0, under_crowns.x, dither());
+#endif
+  float light_share = texture(sunlit, uv).r * under_crowns.x * clear_sky;
+  open *= under_crowns.y;
   float toward_light = max(dot(normal, frame.light_direction.xyz), 0.0);
   if (with_canopy) toward_light = mix(toward_light, crown_light(offset, to_eye, max(dot(ground_normal, frame.light_direction.xyz), 0.0)), crowns);
   vec3 light = frame.light_colour.rgb * toward_light * light_share + ambient(normal, open);
@@ -168,6 +184,12 @@ void main() {
       if (with_detail) trees = vec4(canopy.rgb * canopy.rgb * 0.75, min(1.0, canopy.a * 1.8));
       vec3 bed = mix(vec3(0.075, 0.068, 0.042), vec3(0.215, 0.195, 0.140), clamp(0.25 * middle.b + 0.35 * middle.a + 0.5 * fine.b - 0.05, 0.0, 1.0));
       lit = mix(lit, water_colour(offset, place, uv, bed, max(inside, 0.0), light_share, trees, to_eye), wet);
+      if (with_detail) {
+        vec4 stone = stone_seen(place, offset / to_eye, riffle_at(uv) * exp(-to_eye * 0.008), pixel);
+        vec3 grey = vec3(0.105, 0.100, 0.088) * (0.35 + 0.9 * fine.b + 0.4 * middle.a) * (0.30 + 0.80 * clamp(stone.z, 0.0, 1.0));
+        vec3 shone = frame.light_colour.rgb * max(dot(stone.xyz, frame.light_direction.xyz), 0.0) * light_share;
+        lit = mix(lit, grey * (shone + ambient(stone.xyz, open)), stone.w * wet);
+      }
     }
   }
 

@@ -43,6 +43,43 @@ WaterSurface flowing_surface(vec2 place, vec2 flow, float rough, float to_eye, f
   return surface;
 }
 
+#ifdef WITH_SHADOWS
+layout(binding = 13) uniform sampler2D mirrored_picture;
+layout(binding = 14) uniform sampler2D mirrored_depths;
+uniform vec3 mirror;  // nearest and farthest depth of these, m; z: 1 when there are any
+
+// What stands in the way of a ray from the water, as the picture shows it so far; a: how surely.
+vec4 mirrored_scene(vec3 offset, vec3 ray, float start) {
+  float stride = 0.25 + 0.012 * length(offset);
+  vec3 at = offset + ray * stride * start;
+  vec3 last = at;
+  float found = 0.0;
+  for (int i = 0; i < 26 && found < 0.5; ++i) {
+    last = at;
+    at += ray * stride;
+    vec4 seen = frame.view_projection * vec4(at, 1.0);
+    vec2 uv = seen.xy / seen.w * 0.5 + 0.5;
+    float depth = textureLod(mirrored_depths, uv, 0.0).r;
+    float behind = seen.w - mirror.x * mirror.y / (mirror.y - depth * (mirror.y - mirror.x));
+    // What is hidden behind a near plant is taken to look like it.
+    found = step(0.0, behind) * step(0.1, seen.w);
+    stride *= 1.17;
+  }
+  for (int i = 0; i < 4; ++i) {
+    vec3 middle = 0.5 * (at + last);
+    vec4 seen = frame.view_projection * vec4(middle, 1.0);
+    float depth = textureLod(mirrored_depths, seen.xy / seen.w * 0.5 + 0.5, 0.0).r;
+    bool behind = seen.w > mirror.x * mirror.y / (mirror.y - depth * (mirror.y - mirror.x));
+    at = behind ? middle : at;
+    last = behind ? last : middle;
+  }
+  vec4 seen = frame.view_projection * vec4(at, 1.0);
+  vec2 uv = seen.xy / seen.w * 0.5 + 0.5;
+  vec2 edge = smoothstep(vec2(0.0), vec2(0.08), uv) * (1.0 - smoothstep(vec2(0.92), vec2(1.0), uv));
+  return vec4(from_screen(textureLod(mirrored_picture, uv, 0.0).rgb), found * edge.x * edge.y * mirror.z);
+}
+#endif
+
 // Rings that drops draw: one in every cell of half a metre, each with its own time.
 vec2 rain_rings(vec2 place, float rain) {
   vec2 at = place * 2.2;
@@ -81,6 +118,10 @@ vec3 water_colour(vec3 offset, vec2 place, vec2 uv, vec3 bed, float inside, floa
   float reach = mix(0.62, 0.20, clamp(inside / 8.0, 0.0, 1.0) * lake);
   float silhouette = trees.a * smoothstep(reach, reach * 0.45, bounced.z);
   mirrored = mix(mirrored, trees.rgb * shade_light, 0.92 * silhouette);
+#ifdef WITH_SHADOWS
+  vec4 scene = mirrored_scene(offset, bounced, dither());
+  mirrored = mix(mirrored, scene.rgb, scene.a);
+#endif
   mirrored *= 1.0 - 0.35 * exp2(-bounced.z * 14.0) * (1.0 - lake);
 
   float depth = min(0.06 + 0.40 * inside, coded.b * deepest_water + 0.12) ;

@@ -1,16 +1,12 @@
-#include <unistd.h>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
-#include "app/command_line.hpp"
-#include "core/exchange/geotiff.hpp"
 #include "render/image.hpp"
-#include "tests/scenes/small_valley.hpp"
+#include "tests/app/command_line_run.hpp"
 
 using namespace biotope;
 using Catch::Matchers::Contains;
@@ -20,51 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Outcome {
-  int code = 0;
-  std::string out;
-  std::string err;
-};
-
-Outcome run(const std::vector<std::string>& arguments) {
-  std::ostringstream out;
-  std::ostringstream err;
-  const int code = run_command_line(arguments, out, err);
-  return {code, out.str(), err.str()};
-}
-
-/// A folder with a small DEM in it, gone with the test.
-class Workplace {
- public:
-  Workplace() : path_(fs::temp_directory_path() / ("biotope-app-" + std::to_string(::getpid()))) {
-    fs::remove_all(path_);
-    fs::create_directories(path_);
-    Terrain valley = scenes::small_valley(96, 80);
-    valley.georeference.transform = {0, 10, 0, 800, 0, -10};
-    if (!write_geotiff(dem(), valley.height, valley)) FAIL("no DEM to test with");
-  }
-  ~Workplace() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  [[nodiscard]] std::string dem() const { return (path_ / "valley.tif").string(); }
-  [[nodiscard]] std::string at(const std::string& name) const { return (path_ / name).string(); }
-  [[nodiscard]] std::size_t entries() const {
-    return std::size_t(std::distance(fs::directory_iterator(path_), fs::directory_iterator()));
-  }
-
- private:
-  fs::path path_;
-};
-
 nlohmann::json summary_of(const std::string& folder) {
   std::ifstream stream(folder + "/summary.json");
   return nlohmann::json::parse(stream);
-}
-
-std::string file_bytes(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 }  // namespace

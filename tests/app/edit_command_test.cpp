@@ -1,15 +1,11 @@
-#include <unistd.h>
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
-#include "app/command_line.hpp"
-#include "core/exchange/geotiff.hpp"
 #include "core/exchange/scene_file.hpp"
-#include "tests/scenes/small_valley.hpp"
+#include "tests/app/command_line_run.hpp"
 
 using namespace biotope;
 using Catch::Matchers::Contains;
@@ -18,49 +14,6 @@ using Catch::Matchers::StartsWith;
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Outcome {
-  int code = 0;
-  std::string out;
-  std::string err;
-};
-
-Outcome run(const std::vector<std::string>& arguments) {
-  std::ostringstream out;
-  std::ostringstream err;
-  const int code = run_command_line(arguments, out, err);
-  return {code, out.str(), err.str()};
-}
-
-/// A folder with a small DEM and scripts in it, gone with the test.
-class Workplace {
- public:
-  Workplace() : path_(fs::temp_directory_path() / ("biotope-edit-" + std::to_string(::getpid()))) {
-    fs::remove_all(path_);
-    fs::create_directories(path_);
-    Terrain valley = scenes::small_valley(96, 80);
-    valley.georeference.transform = {0, 10, 0, 800, 0, -10};
-    if (!write_geotiff(at("valley.tif"), valley.height, valley)) FAIL("no DEM to test with");
-  }
-  ~Workplace() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  [[nodiscard]] std::string at(const std::string& name) const { return (path_ / name).string(); }
-  [[nodiscard]] std::string dem() const { return at("valley.tif"); }
-  [[nodiscard]] std::string script(const std::string& edits, const std::string& name = "edits.json") const {
-    std::ofstream(at(name)) << R"({"format": "biotope-edits", "version": 1, "edits": [)" << edits << "]}";
-    return at(name);
-  }
-
- private:
-  fs::path path_;
-};
-
-std::string file_bytes(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 const std::string some_edits = R"(
   {"edit": "stroke", "targets": [{"layer": "plant-density:quercus"}], "brush": {"mode": "add", "radius": 12, "value": 0.9}, "points": [[20, 30], [50, 40]]},
@@ -163,4 +116,21 @@ TEST_CASE("edits that cannot be played end with 1, name the edit, and write noth
     CHECK(outcome.code == 1);
     CHECK_THAT(outcome.err, StartsWith("biotope: ") && Contains(words));
   }
+}
+
+TEST_CASE("edit opens the terrain that a script names, and says when it is not there") {
+  const Workplace place;
+  const Outcome opened =
+      run({"edit", place.dem(), "--script", place.script(R"({"edit": "open", "file": "valley.tif", "size": 48})"), "--out",
+           place.at("half.biotope"), "--quiet"});
+  CHECK(opened.err.empty());
+  REQUIRE(opened.code == 0);
+  const auto half = load_scene(place.at("half.biotope"));
+  REQUIRE(half);
+  CHECK(half->terrain->height.width() == 48);
+  const Outcome missing = run({"edit", place.dem(), "--script", place.script(R"({"edit": "open", "file": "alps.tif"})"), "--out",
+                               place.at("none.biotope"), "--quiet"});
+  CHECK(missing.code == 1);
+  CHECK_THAT(missing.err, StartsWith("biotope: ") && Contains("edit 1 (open)") && Contains("alps.tif"));
+  CHECK_FALSE(fs::exists(place.at("none.biotope")));
 }

@@ -1,19 +1,24 @@
-// Individuals of herds: how long until the animals around a place are there after the clock jumped, and what a frame costs while
-// it runs.
-//   bench_animals [INPUT]   INPUT: sample:valley (the default), a DEM or a scene
+// Individuals of herds: how long until the animals around a place are there after the clock jumped, what a frame costs while it
+// runs, and what it costs to draw 2,000 animals that are in sight.
+//   bench_animals [INPUT] [WIDTHxHEIGHT]   INPUT: sample:valley (the default), a DEM or a scene; 960x540
 
+#include <epoxy/gl.h>
 #include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/exchange/open_input.hpp"
 #include "core/movement/herd_simulation.hpp"
 #include "core/pipeline/solve.hpp"
+#include "render/animal_surroundings.hpp"
+#include "render/landscape_renderer.hpp"
+#include "render/offscreen_context.hpp"
 
 using namespace biotope;
 
@@ -56,6 +61,7 @@ std::vector<HerdRequest> most_crowded(const HerdWorld& world, double hour) {
 
 void scrub(HerdSimulation& simulation) {
   std::vector<double> waits;
+  std::vector<double> works;
   std::size_t herds = 0;
   int animals = 0;
   for (int i = 0; i < 24; ++i) {
@@ -64,12 +70,17 @@ void scrub(HerdSimulation& simulation) {
     herds = std::max(herds, near.size());
     animals = std::max(animals, size_of(simulation.world(), near));
     const auto start = Clock::now();
+    const double before = processor_milliseconds();
     static_cast<void>(simulation.animals(near, hour));
     waits.push_back(milliseconds_since(start));
+    works.push_back(processor_milliseconds() - before);
   }
   std::sort(waits.begin(), waits.end());
-  std::printf("clock set to another hour, up to %zu herds with %d animals around: median %.1f ms, longest %.1f ms\n", herds,
-              animals, waits[waits.size() / 2], waits.back());
+  std::sort(works.begin(), works.end());
+  std::printf(
+      "clock set to another hour, up to %zu herds with %d animals around: median %.1f ms, longest %.1f ms (processor "
+      "time %.1f and %.1f ms)\n",
+      herds, animals, waits[waits.size() / 2], waits.back(), works[works.size() / 2], works.back());
 }
 
 void play(HerdSimulation& simulation, float boids, const char* what) {
@@ -82,6 +93,96 @@ void play(HerdSimulation& simulation, float boids, const char* what) {
   std::printf("%s, all %d animals, 30 frames a second: %.2f ms of processor time a frame, %.1f MiB of runs\n", what,
               size_of(simulation.world(), all), (processor_milliseconds() - before) / frames,
               double(simulation.bytes()) / 1048576);
+}
+
+/// The same landscape with as many times as many animals in each herd.
+std::shared_ptr<const MapsSnapshot> with_larger_herds(const MapsSnapshot& maps, int times) {
+  auto more = std::make_shared<MapsSnapshot>(maps);
+  std::vector<DailyPlan> plans = *maps.plans;
+  for (DailyPlan& plan : plans) plan.size *= times;
+  more->plans = std::make_shared<const std::vector<DailyPlan>>(std::move(plans));
+  return more;
+}
+
+/// From 60 m above the ground 250 m south of the herd that has most animals around it.
+Camera over_the_herds(const MapsSnapshot& maps, double hour) {
+  HerdWorld world;
+  world.graph = maps.graph;
+  world.ground = maps.ground();
+  std::vector<Place> places;
+  for (const DailyPlan& plan : *maps.plans) places.push_back(world.place_of(world.state(plan, hour * 3600).at));
+  Place best;
+  int most = -1;
+  for (const Place& middle : places) {
+    int sum = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) sum += length(places[i] - middle) < 350 ? (*maps.plans)[i].size : 0;
+    if (sum > most) {
+      most = sum;
+      best = middle;
+    }
+  }
+  Camera camera;
+  camera.position = {best.x, best.y - 250, double(ground_height(maps.terrain(), best.x, best.y)) + 60};
+  camera.pitch = -12;
+  return camera;
+}
+
+struct DrawnFrames {
+  double median = 0;
+  double worst = 0;
+  LandscapeStatistics statistics;
+};
+
+/// Frames during which the day passes.
+DrawnFrames frames(LandscapeRenderer& renderer, const RenderTarget& target, const Camera& camera, LandscapeOptions options) {
+  constexpr int count = 8;
+  std::vector<double> times;
+  renderer.finish_loading(camera, options);
+  for (int i = 0; i < count + 3; ++i) {
+    options.hour += 1 / 30.0 / 3600;
+    const auto start = Clock::now();
+    target.bind();
+    renderer.draw(camera, options, target.width(), target.height());
+    glFinish();
+    if (i >= 3) times.push_back(milliseconds_since(start));
+  }
+  std::sort(times.begin(), times.end());
+  return {times[times.size() / 2], times.back(), renderer.statistics()};
+}
+
+void draw(const MapsSnapshot& maps, int width, int height) {
+  const auto context = OffscreenContext::create();
+  auto renderer = LandscapeRenderer::create();
+  if (!context || !renderer) {
+    std::printf("no OpenGL: %s\n", (context ? renderer.error() : context.error()).message.c_str());
+    return;
+  }
+  std::printf("drawn by %s, %d x %d\n", reinterpret_cast<const char*>(glGetString(GL_RENDERER)), width, height);
+  const RenderTarget target(width, height);
+  constexpr double hour = 9;
+  const Camera camera = over_the_herds(maps, hour);
+  // The sample has fewer animals than that in sight: herds grow until there are enough.
+  int times = 4;
+  for (const float quality : {0.5F, 1.0F}) {
+    LandscapeOptions options;
+    options.hour = hour;
+    options.quality = quality;
+    DrawnFrames all;
+    for (; times <= 64; times *= 2) {
+      (*renderer)->set_snapshot(with_larger_herds(maps, times));
+      all = frames(**renderer, target, camera, options);
+      if (all.statistics.animals >= 2000) break;
+    }
+    options.animals = false;
+    const DrawnFrames none = frames(**renderer, target, camera, options);
+    std::printf(
+        "quality %.1f, %zu animals in sight: frame p50 %.1f worst %.1f ms (without animals %.1f ms); for the animals %d draw "
+        "calls, %zu "
+        "triangles\n",
+        double(quality), all.statistics.animals, all.median, all.worst, none.median,
+        all.statistics.draw_calls - none.statistics.draw_calls, all.statistics.triangles - none.statistics.triangles);
+    std::fflush(stdout);
+  }
 }
 
 }  // namespace
@@ -106,9 +207,14 @@ int main(int count, char** arguments) {
   world->graph = (*maps)->graph;
   world->plans = (*maps)->plans;
   world->seed = (*maps)->document.seed;
+  world->details = std::make_shared<AnimalSurroundings>(nullptr, (*maps)->terrain().cell_size, PlantPlacement(*maps));
   HerdSimulation simulation(world);
   scrub(simulation);
   play(simulation, 1, "boids");
   play(simulation, 0, "guides alone");
+  int width = 960;
+  int height = 540;
+  if (count > 2 && std::sscanf(arguments[2], "%dx%d", &width, &height) != 2) return 2;
+  draw(**maps, width, height);
   return 0;
 }

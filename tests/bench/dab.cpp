@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <map>
 #include <string>
 #include <vector>
@@ -33,6 +34,16 @@ double processor_milliseconds() {
   return milliseconds(usage.ru_utime) + milliseconds(usage.ru_stime);
 }
 
+/// Megabytes of memory that this process holds, pages that several maps share counted once (Linux).
+double memory_held() {
+  std::ifstream file("/proc/self/smaps_rollup");
+  for (std::string word; file >> word;) {
+    double kilobytes = 0;
+    if (word == "Pss:" && file >> kilobytes) return kilobytes / 1024;
+  }
+  return 0;
+}
+
 double milliseconds_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
@@ -41,13 +52,14 @@ double milliseconds_since(Clock::time_point start) {
 struct Painted {
   std::string name;
   LayerId layer;
-  float value = 0;     ///< set by the brush
+  float value = 0;     ///< set by the brush, or how far it raises
   float computed = 0;  ///< the map below is taken as flat
   /// The levels that must answer first, by their number in the food chain; -1: none.
   int own_level = -1;
   int level_above = -1;
   /// A species of the level below, whose surplus a person may be looking at.
   int species_below = -1;
+  BrushMode mode = BrushMode::set;
 };
 
 /// Measurements in milliseconds, by what was waited for, in the order of first measurement.
@@ -119,16 +131,20 @@ double surplus_milliseconds(const MapsSnapshot& maps, int species) {
 bool run(const Painted& painted, int dabs, const Document& start, SolveCache& cache) {
   const int width = start.terrain->height.width();
   const int height = start.terrain->height.height();
-  const Grid<float> computed(width, height, painted.computed);
+  const bool raises = painted.mode == BrushMode::raise;
+  const Grid<float> flat(raises ? 1 : width, raises ? 1 : height, painted.computed);
+  const Grid<float>& computed = raises ? start.terrain->height : flat;
   Brush brush;
-  brush.mode = BrushMode::set;
+  brush.mode = painted.mode;
   brush.radius = 100;
   brush.strength = 1;
+  if (painted.mode == BrushMode::raise) brush.hardness = 0;
   brush.value = painted.value;
   Document document = start;
   // What the layer painted before left behind must not count here.
   if (const auto settled = solve(document, &cache); !settled) return false;
   Measurements measured;
+  double held = 0;
   for (int i = 0; i < dabs; ++i) {
     const auto before = Clock::now();
     const auto place = std::uint64_t(i);
@@ -158,8 +174,9 @@ bool run(const Painted& painted, int dabs, const Document& start, SolveCache& ca
     measured.add("all, with plans", consistent);
     measured.add("all, processor time", processor_milliseconds() - processor);
     for (const auto& [stage, milliseconds] : (*maps)->timings) measured.add("  stage: " + stage, milliseconds);
+    held = std::max(held, memory_held());
   }
-  std::printf("%s (%d dabs)\n", painted.name.c_str(), dabs);
+  std::printf("%s (%d dabs); after a dab at most %.0f MB held\n", painted.name.c_str(), dabs, held);
   measured.print();
   std::fflush(stdout);
   return true;
@@ -195,7 +212,8 @@ std::vector<Painted> paintable(const MapsSnapshot& maps) {
                    first(level - 1)});
   }
   all.push_back({"passage", {LayerKind::passage, "all"}, 1, 0, -1, 1, -1});
-  all.push_back({"ground height", {LayerKind::ground, "height"}, 700, 500, -1, 0, -1});
+  all.push_back({"ground height, a table mountain", {LayerKind::ground, "height"}, 700, 500, -1, 0, -1});
+  all.push_back({"ground height, raised by 10 m", {LayerKind::ground, "height"}, 10, 0, -1, 0, -1, BrushMode::raise});
   return all;
 }
 
@@ -220,7 +238,7 @@ int main(int count, char** arguments) {
     std::printf("%s\n", start.error().message.c_str());
     return 1;
   }
-  std::printf("first complete maps after %.0f ms\n", milliseconds_since(begun));
+  std::printf("first complete maps after %.0f ms; %.0f MB held\n", milliseconds_since(begun), memory_held());
   for (const auto& [stage, milliseconds] : (*start)->timings) std::printf("    %-12s %9.1f ms\n", stage.c_str(), milliseconds);
   for (const Painted& painted : paintable(**start)) {
     if (!only.empty() && painted.name.find(only) == std::string::npos) continue;

@@ -1,6 +1,7 @@
 // How long the editor's frames take while a brush paints, a month changes and a landscape is opened: the window's own frame
 // (update, panels, 2D map, 3D view), without a window, with the worker computing in the background.
 //   bench_frames [SAMPLE] [SECONDS]   SAMPLE: valley (1024 x 1024, the default), valley-1m (4096 x 4096); seconds of each stroke
+//   bench_frames SAMPLE 0 answers     only how soon strokes in the 3D view are answered there
 
 #include <epoxy/gl.h>
 #include <imgui.h>
@@ -15,6 +16,7 @@
 #include <functional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "render/offscreen_context.hpp"
@@ -130,6 +132,32 @@ class Bench {
            !window_->refining();
   }
 
+  /// A short stroke at a place of the window, and the milliseconds from its last point to the frame that shows its ground and
+  /// plants, all of them, with the number of frames; negative when that did not come within some seconds.
+  std::pair<double, int> answer(ImVec2 at) {
+    ImGuiIO& io = ImGui::GetIO();
+    FrameTimes times;
+    Clock::time_point last;
+    for (int i = 0; i < 6; ++i) {
+      io.MousePos = ImVec2(at.x + 4 * float(i), at.y);
+      if (i > 0) io.MouseDown[0] = true;
+      state_.path.held = i > 0;
+      if (i > 0) state_.path.points.push_back({io.MousePos.x, io.MousePos.y, 1.0F});
+      last = Clock::now();
+      frame(times);
+    }
+    const std::uint64_t wanted = state_.posted_revision + (state_.must_post ? 1 : 0);
+    io.MouseDown[0] = false;
+    state_.path.held = false;
+    for (int frames = 1; milliseconds_since(last) < 20000; ++frames) {
+      const double begun = milliseconds_since(last);
+      frame(times);
+      // The pause after the frame that shows it is not waited for.
+      if (window_->landscape().answered() >= wanted) return {begun + times.whole.back(), frames};
+    }
+    return {-1, 0};
+  }
+
   /// A brush in circles over the map for some seconds.
   void stroke(FrameTimes& times, double seconds) {
     ImGuiIO& io = ImGui::GetIO();
@@ -181,6 +209,19 @@ void choose_moisture(EditorState& state) {
   state.view.shown[std::size_t(Tab::climate)] = {MapKind::moisture};
 }
 
+void choose_ground(EditorState& state) {
+  state.view.tab = Tab::terrain;
+  state.view.shown[std::size_t(Tab::terrain)] = {MapKind::none};
+}
+
+/// What a stroke paints.
+struct Part {
+  const char* name;
+  void (*choose)(EditorState&);
+  Tool more = Tool::add;
+  Tool less = Tool::erase;
+};
+
 void measure(const std::string& sample, ViewMode mode, double seconds) {
   std::printf("%s, %s view\n", sample.c_str(), mode == ViewMode::map ? "map" : "split");
   Bench bench;
@@ -197,10 +238,6 @@ void measure(const std::string& sample, ViewMode mode, double seconds) {
   }
   state.tool = Tool::add;
   state.brush.radius = 40 * float(state.document.terrain->height.width()) / 1024;
-  struct Part {
-    const char* name;
-    void (*choose)(EditorState&);
-  };
   for (const Part& part : {Part{"plant stroke", choose_plant}, Part{"moisture stroke", choose_moisture}}) {
     part.choose(state);
     FrameTimes choosing;
@@ -220,6 +257,34 @@ void measure(const std::string& sample, ViewMode mode, double seconds) {
   report("month changes", season);
 }
 
+/// Strokes in the 3D view, answered there.
+void measure_answers(const std::string& sample, int strokes) {
+  std::printf("%s, 3D view: from a stroke's last point to its plants\n", sample.c_str());
+  Bench bench;
+  EditorState& state = bench.state();
+  state.view.mode = ViewMode::landscape;
+  FrameTimes times;
+  const auto settle = [&] { bench.run_until(times, 120, [&] { return bench.settled(); }); };
+  open(state, "sample:" + sample);
+  settle();
+  if (!state.has_document) return;
+  state.brush.radius = 10;
+  for (const Part& part : {Part{"plants", choose_plant}, Part{"ground", choose_ground, Tool::raise, Tool::lower}}) {
+    part.choose(state);
+    std::vector<std::pair<double, int>> took;
+    for (int i = 0; i < strokes; ++i) {
+      state.tool = i % 2 == 0 ? part.more : part.less;
+      settle();
+      took.push_back(bench.answer(ImVec2(460, 480)));
+    }
+    std::sort(took.begin(), took.end());
+    const auto& [middle, frames] = took[took.size() / 2];
+    std::printf("  %-8s fastest %6.1f  p50 %6.1f (%d frames)  worst %6.1f ms\n", part.name, took.front().first, middle, frames,
+                took.back().first);
+    std::fflush(stdout);
+  }
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -231,6 +296,10 @@ int main(int count, char** arguments) {
     return 1;
   }
   std::printf("drawn by %s\n", reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
+  if (count > 3 && std::string(arguments[3]) == "answers") {
+    measure_answers(sample, 12);
+    return 0;
+  }
   for (const ViewMode mode : {ViewMode::map, ViewMode::split}) measure(sample, mode, seconds);
   return 0;
 }

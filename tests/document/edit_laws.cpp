@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "core/base/random.hpp"
@@ -95,6 +96,8 @@ Edit random_edit(std::uint64_t number) {
                          state.locked = random_int(0, 3, {number, 63}) == 0;
                          state.hidden = !state.hidden;
                        }};
+    case 6:
+      return LockEdit{LockEdit::How(std::min(random_int(0, 5, {number, 64}), 3))};
     default:
       return random_stroke(number);
   }
@@ -108,7 +111,7 @@ TEST_CASE("Any sequence of edits of any kind is undone to the bit, step by step,
     Document document = small_landscape(width, height);
     std::vector<std::unique_ptr<Command>> commands;
     std::vector<Document> states{document};
-    for (std::uint64_t step = 0; step < 40; ++step) {
+    for (std::uint64_t step = 0; step < 60; ++step) {
       auto command = make_command(document, random_edit(1000 * sequence + step), grounds);
       // A locked layer, or classes and numbers to be mixed, fail; the document must be the same.
       if (!command || !*command) continue;

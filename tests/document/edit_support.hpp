@@ -80,6 +80,8 @@ inline bool same_state(const Document& a, const Document& b) {
   }
   if ((a.selection == nullptr) != (b.selection == nullptr)) return false;
   if (a.selection && !(a.selection->to_grid() == b.selection->to_grid())) return false;
+  if ((a.locked_area == nullptr) != (b.locked_area == nullptr)) return false;
+  if (a.locked_area && !(a.locked_area->to_grid() == b.locked_area->to_grid())) return false;
   return a.title == b.title && a.seed == b.seed && a.layer_states == b.layer_states && a.placements == b.placements;
 }
 

@@ -93,7 +93,7 @@ TEST_CASE("paint beyond what grows stays, and the warning names species, place a
   CHECK(level->shortages[0].resource == "grass");
   CHECK(level->shortages[0].missing == Approx(450 * 365 - 100000));
   REQUIRE(level->warnings.size() == 1);
-  CHECK(level->warnings[0] == "grazer: 64 % more grass asked than grows in region 0 (near 7, 3)");
+  CHECK(level->warnings[0] == "grazer: 64 % more grass asked than grows in region 0 (near x 750 m, y 650 m)");
   double herds = 0;
   for (const Herd& herd : level->herds) herds += herd.size;
   CHECK(herds == 450);
@@ -104,7 +104,7 @@ TEST_CASE("paint where the species cannot live changes nothing but is named") {
   const auto level = scene.solve(1, {}, {paint_rect(12, 10, {10, 4, 12, 6}, 500)});
   CHECK(level->population == level->computed_population);
   REQUIRE(level->warnings.size() == 1);
-  CHECK(level->warnings[0] == "grazer: painted on 4 cells that it cannot reach (near 10, 4)");
+  CHECK(level->warnings[0] == "grazer: painted on 4 cells that it cannot reach (near x 1050 m, y 550 m)");
 }
 
 TEST_CASE("a painted species does not make the others compete again") {
@@ -155,7 +155,7 @@ TEST_CASE("animals painted where there is no water stay, eat only there, and the
   CHECK(eaten[1] == Approx(25 * 365));
   CHECK(eaten[2] == 0);
   REQUIRE(level->warnings.size() == 1);
-  CHECK(level->warnings[0] == "grazer: no water to drink in region 1 (near 8, 2)");
+  CHECK(level->warnings[0] == "grazer: no water to drink in region 1 (near x 850 m, y 250 m)");
 }
 
 TEST_CASE("what each piece gives is kept apart when paint peoples a region that was empty") {

@@ -127,7 +127,7 @@ TEST_CASE("regions agree with a flood fill on random ground, and blocked cells w
         ++next;
       }
     }
-    REQUIRE(regions.label == expected);
+    REQUIRE(regions.label == RunMap(expected));
     std::size_t cells = 0;
     for (const auto& region : regions.regions) cells += region.cells;
     CHECK(cells == std::size_t(std::count(blocked.cells().begin(), blocked.cells().end(), 0)));
@@ -144,4 +144,40 @@ TEST_CASE("the obstacle named at a cell is the one that blocks it") {
   CHECK(obstacle_at(ground, plain, 1, 0) == Obstacle::deep_water);
   CHECK(obstacle_at(ground, plain, 2, 0) == Obstacle::trees);
   CHECK(obstacle_at(ground, plain, 3, 0) == Obstacle::none);
+}
+
+TEST_CASE("regions that take over rows of an earlier ground are those found anew") {
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    Landscape land(90, 70, 20);
+    const auto chance = [&](std::uint64_t step, std::uint64_t what, int most) { return random_int(0, most, {seed, step, what}); };
+    for (int x = 40; x < 47; ++x) land.river_column(x, 2, 30);
+    Ground before = land.ground();
+    auto regions = std::make_shared<const ConfinementRegions>(confinement_regions(before, plain));
+    int kept = 0;
+    for (std::uint64_t step = 0; step < 20; ++step) {
+      const int x = chance(step, 1, 89);
+      const int y = chance(step, 2, 69);
+      const int kind = chance(step, 3, 5);
+      for (int cx = std::max(0, x - 9); cx < std::min(90, x + 9); ++cx) {
+        if (kind == 0) land.derivatives.slope(cx, y) = 2;
+        if (kind == 1) land.hydrology.water_depth(cx, y) = 0;
+        if (kind == 2) land.trees(cx, y) = full_cover;
+        if (kind == 3) land.terrain.height(cx, y) += 5;
+      }
+      if (kind == 4) land.hydrology.fords.push_back({43, y, 0.3F});
+      if (kind == 5 && !land.hydrology.fords.empty()) land.hydrology.fords.pop_back();
+      const Ground now = land.ground();
+      const auto next = confinement_regions(now, plain, rows_of_other_obstacles(before, now), regions);
+      const ConfinementRegions anew = confinement_regions(now, plain);
+      INFO("seed " << seed << ", step " << step);
+      REQUIRE(next->label == anew.label);
+      REQUIRE(*next->passable == *anew.passable);
+      REQUIRE(next->regions.size() == anew.regions.size());
+      kept += next == regions;
+      regions = next;
+      before = now;
+    }
+    CHECK(kept > 0);
+    CHECK(kept < 20);
+  }
 }

@@ -49,7 +49,19 @@ TEST_CASE("paint where a plant cannot live is told with its place, area and what
         REQUIRE(((*shortages[0].where)(x, y).coverage > 0) == dry_and_painted);
       }
     }
-    CHECK(shortage_warning(web, shortages[0]).find("moisture") != std::string::npos);
+    Terrain terrain;
+    terrain.height = Grid<float>(side, side);
+    terrain.cell_size = 2;
+    const Warning warning = shortage_warning(web, terrain, shortages[0]);
+    CHECK(warning.text.find("moisture") != std::string::npos);
+    CHECK(warning.species == 0);
+    CHECK(warning.amount == Approx(10 * 20 * 4));
+    REQUIRE(warning.place);
+    CHECK(warning.place->x == float(shortages[0].x));
+    CHECK(warning.place->y == float(shortages[0].y));
+    // Places are read in metres from the south-west corner.
+    const int east = 2 * shortages[0].x + 1;
+    CHECK(warning.text.find("(near x " + std::to_string(east) + " m, y ") != std::string::npos);
   }
   SECTION("painted on wet ground only: nothing to tell") {
     const std::vector<std::shared_ptr<const PaintLayer>> paint{painted_rect(side, {10, 20, 50, 40}), nullptr};

@@ -89,6 +89,8 @@ std::string every_kind(const Names& names) {
  "filter": {"use_selection": false}}, "points": [[20, 64], [140, 64]]},
 {"edit": "stroke", "targets": [{"layer": "ground:height"}], "brush": {"mode": "raise", "value": 3, "radius": 15, "stamp": "stamps/leaf.png"},
  "points": [[60, 90], [70, 92]]},
+{"edit": "select", "shape": "painted", "layer": "ground:height"},
+{"edit": "lock", "how": "add"},
 {"edit": "select", "shape": "everything"},
 {"edit": "stroke", "targets": [{"layer": )" +
          other + R"(}], "brush": {"mode": "clone", "radius": 12, "clone_offset": [20, -5]},

@@ -19,7 +19,7 @@ class RandomScript {
       script.width = number(2, 16384);
       script.height = number(2, 16384);
     }
-    for (int i = 0; i < entries; ++i) script.entries.push_back(entry(number(0, 10)));
+    for (int i = 0; i < entries; ++i) script.entries.push_back(entry(number(0, 11)));
     return script;
   }
 
@@ -50,11 +50,16 @@ class RandomScript {
       case 7:
         return {MaskEntry{coin() ? file() : ""}};
       case 8: {
+        LockEntry lock{{}, coin() ? file() : ""};
+        if (lock.file.empty()) lock.edit.how = LockEdit::How(number(0, 3));
+        return {lock};
+      }
+      case 9: {
         GroupEntry group{coin() ? "Several: \"ä\"\n" : "", {}};
-        for (int i = number(0, 3); i > 0; --i) group.entries.push_back(entry(number(0, 7)));
+        for (int i = number(0, 3); i > 0; --i) group.entries.push_back(entry(number(0, 8)));
         return {group};
       }
-      case 9:
+      case 10:
         return {UndoEntry{number(1, 1000)}};
       default:
         return {RedoEntry{number(1, 1000)}};
@@ -165,7 +170,7 @@ class RandomScript {
   biotope::SelectEdit select() {
     using namespace biotope;
     SelectEdit edit;
-    edit.shape = SelectEdit::Shape(number(0, 5));
+    edit.shape = SelectEdit::Shape(number(0, 6));
     edit.mode = SelectionMode(number(0, 3));
     for (int i = edit.shape == SelectEdit::Shape::rectangle ? 2
                  : edit.shape == SelectEdit::Shape::lasso   ? number(3, 30)
@@ -175,6 +180,7 @@ class RandomScript {
     }
     if (edit.shape == SelectEdit::Shape::range)
       edit.range = {FilterQuantity::map, layer(), real(0, 1), real(1, 2), real(0, 1), coin()};
+    if (edit.shape == SelectEdit::Shape::painted) edit.range.map = layer();
     return edit;
   }
 

@@ -52,6 +52,11 @@ struct RequireSame {
     REQUIRE(entry.name == to.name);
     require_same(entry.entries, to.entries);
   }
+  void operator()(const biotope::OpenEntry& entry) const {
+    const auto& to = std::get<biotope::OpenEntry>(other.what);
+    REQUIRE(entry.sample == to.sample);
+    REQUIRE(entry.file == to.file);
+  }
   template <class Plain>
   void operator()(const Plain& entry) const {
     REQUIRE(entry == std::get<Plain>(other.what));

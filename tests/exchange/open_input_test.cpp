@@ -171,3 +171,19 @@ TEST_CASE("options that say how to read a DEM are refused where there is none, l
   REQUIRE(opened);
   CHECK(opened->terrain->latitude == -40);
 }
+
+TEST_CASE("a landscape of no place on earth lies in metres from its south-west corner") {
+  const TemporaryFolder folder;
+  auto document = scenes::small_document(std::string(BIOTOPE_SOURCE_DIR) + "/assets");
+  REQUIRE(document);
+  auto terrain = std::make_shared<Terrain>(*document->terrain);
+  terrain->georeference = {};
+  terrain->cell_size = 8;
+  const double height = terrain->height_metres();
+  document->terrain = terrain;
+  REQUIRE(save_scene(folder / "a.biotope", *document));
+  const auto opened = open_input((folder / "a.biotope").string());
+  if (!opened) FAIL(opened.error().message);
+  CHECK(opened->terrain->georeference.transform == std::array<double, 6>{0, 8, 0, height, 0, -8});
+  CHECK(opened->terrain->georeference.wkt.empty());
+}

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <fstream>
 #include <limits>
 #include <map>
 
@@ -56,8 +57,9 @@ TEST_CASE("the archive is a plain ZIP with the promised entries") {
   const TemporaryFolder folder;
   REQUIRE(save_scene(folder / "a.biotope", full_document()));
   const auto entries = entries_of(folder / "a.biotope");
-  for (const char* name : {"scene.json", "climate.json", "species.json", "terrain.tif", "voids.tif", "layers/1-resource.tif",
-                           "selection.tif", "placements.json", "environment/temperature-12.tif", "environment/geology.tif"}) {
+  for (const char* name :
+       {"scene.json", "climate.json", "species.json", "terrain.tif", "voids.tif", "layers/1-resource.tif", "selection.tif",
+        "locked-area.tif", "placements.json", "environment/temperature-12.tif", "environment/geology.tif"}) {
     INFO(name);
     CHECK(entries.contains(name));
   }
@@ -153,8 +155,8 @@ TEST_CASE("a scene of an older version opens, and what it did not know is empty"
   ArchiveEntries entries = entries_of(folder / "a.biotope");
   auto json = nlohmann::ordered_json::parse(entries.at("scene.json"));
   json["version"] = 1;
-  for (const char* key : {"layer_states", "selection", "placements"}) json.erase(key);
-  for (const char* name : {"selection.tif", "placements.json"}) {
+  for (const char* key : {"layer_states", "selection", "locked_area", "placements"}) json.erase(key);
+  for (const char* name : {"selection.tif", "locked-area.tif", "placements.json"}) {
     json["checksums"].erase(name);
     entries.erase(name);
   }
@@ -168,6 +170,7 @@ TEST_CASE("a scene of an older version opens, and what it did not know is empty"
   Document expected = full_document();
   expected.layer_states.clear();
   expected.selection = nullptr;
+  expected.locked_area = nullptr;
   expected.placements = {};
   std::erase_if(expected.layers, [](const auto& layer) { return layer.first.kind > LayerKind::animal_density; });
   require_same(expected, *loaded);
@@ -270,6 +273,24 @@ TEST_CASE("an archive that lists one name twice, or names that are no text, is r
   CHECK_THAT(error_of_names("../"), Contains("leads out"));
 }
 
+TEST_CASE("a scene without a locked area can be read by programs that know none") {
+  const TemporaryFolder folder;
+  Document document = full_document();
+  document.locked_area = nullptr;
+  REQUIRE(save_scene(folder / "a.biotope", document));
+  const auto json = nlohmann::json::parse(entries_of(folder / "a.biotope").at("scene.json"));
+  CHECK(json.at("version") == 2);
+  CHECK_FALSE(json.contains("locked_area"));
+}
+
+TEST_CASE("text that repeats itself without end is called what it is") {
+  const TemporaryFolder folder;
+  REQUIRE(write_archive(folder / "blank.biotope", {{"scene.json", std::string(std::size_t(20) << 20, ' ')}}));
+  const auto blank = load_scene(folder / "blank.biotope");
+  REQUIRE_FALSE(blank);
+  CHECK_THAT(blank.error().message, Contains("blank.biotope") && Contains("ZIP bomb") && !Contains("comma"));
+}
+
 TEST_CASE("a bomb is refused before it goes off") {
   const TemporaryFolder folder;
   REQUIRE(write_archive(folder / "bomb.biotope", {{"scene.json", std::string(std::size_t(80) << 20, ' ')}}));
@@ -290,4 +311,38 @@ TEST_CASE("a bomb is refused before it goes off") {
   const auto cells = decode_bytes(sparse, 16384, 16384, "a.tif");
   REQUIRE_FALSE(cells);
   CHECK_THAT(cells.error().message, Contains("a.tif") && Contains("too short"));
+}
+
+TEST_CASE("views with a wrong checksum are told and given all the same, and take the document with them nowhere") {
+  const TemporaryFolder folder;
+  const std::string views = "{\"bookmarks\": [{\"name\": \"Ford\"}]}\n";
+  REQUIRE(save_scene(folder / "a.biotope", full_document(), nullptr, views));
+  ArchiveEntries entries = entries_of(folder / "a.biotope");
+  entries["views.json"] = "{\"bookmarks\": [{\"name\": \"Bridge\"}]}\n";
+  REQUIRE(write_archive(folder / "b.biotope", entries));
+  const auto changed = load_scene_views(folder / "b.biotope");
+  REQUIRE(changed);
+  CHECK(changed->text == entries["views.json"]);
+  CHECK_THAT(changed->damage, Contains("views.json") && Contains("checksum"));
+  CHECK(load_scene(folder / "b.biotope"));
+}
+
+TEST_CASE("of views whose bytes are damaged what can be unpacked is given") {
+  const TemporaryFolder folder;
+  // Does not pack: a scene's text that is stored byte for byte.
+  std::string views = "{\"name\": \"";
+  for (std::uint64_t i = 0; i < 200; ++i) views += char(random_int('a', 'z', {5, i}));
+  views += "\"}\n";
+  REQUIRE(save_scene(folder / "a.biotope", full_document(), nullptr, views));
+  std::string bytes = bytes_of(folder / "a.biotope");
+  // The last byte before the entry after it: its local header begins with its own name.
+  const std::size_t name = bytes.find("views.json");
+  REQUIRE(name != std::string::npos);
+  bytes[name + 40] = char(bytes[name + 40] ^ 0x10);
+  std::ofstream(folder / "b.biotope", std::ios::binary) << bytes;
+  const auto damaged = load_scene_views(folder / "b.biotope");
+  if (!damaged) FAIL(damaged.error().message);
+  CHECK_THAT(damaged->damage, Contains("damaged"));
+  CHECK(damaged->text.size() <= views.size());
+  CHECK(load_scene(folder / "b.biotope"));
 }

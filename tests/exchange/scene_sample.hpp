@@ -42,6 +42,9 @@ inline void add_newer_parts(biotope::Document& document) {
   SelectionMask selection(width, height);
   for (int i = 0; i < 100; ++i) selection.set(60 + i % 20, 40 + i / 20, std::uint8_t(255 - i));
   document.selection = std::make_shared<const SelectionMask>(selection);
+  SelectionMask locked(width, height);
+  for (int i = 0; i < 60; ++i) locked.set(30 + i % 10, 70 + i / 10, std::uint8_t(200 + i % 50));
+  document.locked_area = std::make_shared<const SelectionMask>(locked);
   document.placements = some_placements();
 }
 
@@ -115,6 +118,8 @@ inline void require_same(const biotope::Document& a, const biotope::Document& b)
   REQUIRE(a.layer_states == b.layer_states);
   REQUIRE(bool(a.selection) == bool(b.selection));
   if (a.selection) REQUIRE(*a.selection == *b.selection);
+  REQUIRE(bool(a.locked_area) == bool(b.locked_area));
+  if (a.locked_area) REQUIRE(*a.locked_area == *b.locked_area);
   REQUIRE(a.placements == b.placements);
   for (std::size_t r = 0; r < a.given_environment.monthly.size(); ++r) {
     const auto& maps = a.given_environment.monthly[r];

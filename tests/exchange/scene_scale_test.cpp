@@ -19,6 +19,7 @@ TEST_CASE("A coarser document keeps its paint, selection and placements where th
     for (int x = 20; x < 40; ++x) selection.set(x, y, 200);
   }
   document.selection = std::make_shared<const SelectionMask>(selection);
+  document.locked_area = document.selection;
   document.placements.places.fords = {{{10.5F, 20.5F}, 12}};
 
   const Document half = resampled_document(document, 80);
@@ -27,6 +28,8 @@ TEST_CASE("A coarser document keeps its paint, selection and placements where th
   for (int x = 0; x < 32; ++x) CHECK(classes(x, 5) == Paint{x < 16 ? 1.0F : 4.0F, 1});
   CHECK(classes(33, 5) == Paint{});
   REQUIRE(half.selection);
+  REQUIRE(half.locked_area);
+  CHECK(half.locked_area->to_grid() == half.selection->to_grid());
   CHECK(half.selection->width() == 80);
   CHECK((*half.selection)(12, 2) == 200);
   CHECK((*half.selection)(5, 2) == 0);

@@ -5,81 +5,14 @@
 #include <set>
 
 #include "core/movement/herd_simulation.hpp"
-#include "tests/movement/movement_scene.hpp"
+#include "tests/movement/herd_scene.hpp"
 
 using namespace biotope;
-using biotope::test::MovementScene;
+using biotope::test::all_herds;
+using biotope::test::meadow;
+using biotope::test::same;
 
 namespace {
-
-AnimalTraits traits_of(float speed, float length, float shoulder) {
-  AnimalTraits traits;
-  traits.mass_min = 80;
-  traits.mass_max = 120;
-  traits.speed = speed;
-  traits.max_slope = 0.8F;
-  traits.wade_depth = 0.6F;
-  traits.activity = Activity::diurnal;
-  traits.water_visits = 2;
-  traits.growth_rate = 0.3F;
-  traits.shape.body_length = length;
-  traits.shape.shoulder_height = shoulder;
-  return traits;
-}
-
-/// 1.5 km of meadow with a deep pool in the middle that has shallow banks, herds of deer around it and a pack of wolves that
-/// follows one.
-std::shared_ptr<const HerdWorld> meadow() {
-  MovementScene scene(150, 120, 10, [](int x, int y) { return 0.4F * float(y) + 0.02F * float(x); });
-  Hydrology hydrology;
-  hydrology.water_depth = Grid<float>(150, 120);
-  for (int y = 40; y < 70; ++y) {
-    for (int x = 60; x < 85; ++x) {
-      const bool edge = y == 40 || y == 69 || x == 60 || x == 84;
-      hydrology.water_depth(x, y) = edge ? 0.3F : 3.0F;
-      scene.blocked(x, y) = !edge;
-    }
-  }
-  scene.ground.hydrology = std::make_shared<const Hydrology>(std::move(hydrology));
-  const int deer = scene.animal("deer", 1, traits_of(1.4F, 2.0F, 1.2F), {0});
-  const int wolf = scene.animal("wolf", 2, traits_of(2.2F, 1.2F, 0.7F), {deer});
-  std::vector<ResourceNode> nodes{MovementScene::node(NodeKind::bank, 59, 55, 1500, 0),
-                                  MovementScene::node(NodeKind::bank, 85, 50, 1500, 0)};
-  const std::vector<ResourceNode> banks = nodes;
-  for (int i = 0; i < 6; ++i)
-    nodes.push_back(MovementScene::node(NodeKind::vegetation, 15 + 22 * i, 15 + (i * 47) % 90, 40000, 1500));
-  AnimalLevel grazers = scene.level(1, nodes);
-  for (const int size : {1, 12, 30, 90}) grazers.herds.push_back({deer, 0, size});
-  scene.add(std::move(grazers));
-  nodes = banks;
-  nodes.push_back(MovementScene::node(NodeKind::prey, 40, 80, 1e6, 5000, deer));
-  AnimalLevel hunters = scene.level(2, nodes, 8);
-  hunters.herds = {{wolf, 0, 6}};
-  scene.add(std::move(hunters));
-
-  auto world = std::make_shared<HerdWorld>();
-  world->web = std::make_shared<const FoodWeb>(scene.web);
-  world->ground = scene.ground;
-  world->levels = scene.levels;
-  auto graph = std::make_shared<ResourceAccessGraph>();
-  graph->levels.resize(1);
-  for (const auto& level : scene.levels) graph->levels.push_back(*level->graph);
-  world->graph = graph;
-  world->plans = std::make_shared<const std::vector<DailyPlan>>(scene.plans());
-  world->seed = 7;
-  return world;
-}
-
-bool same(const HerdAnimal& a, const HerdAnimal& b) {
-  return a.place == b.place && a.heading == b.heading && a.speed == b.speed && a.cycles == b.cycles &&
-         a.head_down == b.head_down && a.lying == b.lying;
-}
-
-std::vector<HerdRequest> all_herds(const HerdWorld& world) {
-  std::vector<HerdRequest> requests;
-  for (std::size_t p = 0; p < world.plans->size(); ++p) requests.push_back({int(p), 1});
-  return requests;
-}
 
 /// Hours at which the herd stands at a stop of a kind, well into it.
 std::vector<double> hours_at(const HerdWorld& world, const DailyPlan& plan, NodeKind kind) {
@@ -124,7 +57,8 @@ TEST_CASE("The same hour shows the same animals to the bit, in whichever order h
 }
 
 TEST_CASE(
-    "No two members are closer than half a body length; all are on the map, on passable ground, in no water that is too deep") {
+    "No two members are closer than two fifths of a body length; all are on the map, on passable ground, in no water that is too "
+    "deep") {
   const auto world = meadow();
   const auto requests = all_herds(*world);
   HerdSimulation simulation(world);
@@ -140,7 +74,7 @@ TEST_CASE(
         REQUIRE(world->depth_at(at) <= 0.6F);
         for (std::size_t j = 0; j < i; ++j) {
           ++pairs;
-          close += length(at - herds[r][j].place) < 0.5 * cast.body_length;
+          close += length(at - herds[r][j].place) < 0.4 * cast.body_length;
         }
       }
     }

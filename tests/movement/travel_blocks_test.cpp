@@ -31,8 +31,7 @@ Ground ground_of(const Terrain& terrain) {
 
 /// Regions by paper and pencil: blocked discs anywhere, what is left of one region or of another.
 ConfinementRegions regions_of(int width, int height, std::uint64_t number, int discs) {
-  ConfinementRegions regions;
-  regions.label = Grid<std::int32_t>(width, height, random_int(0, 2, {number, 9}));
+  Grid<std::int32_t> label(width, height, random_int(0, 2, {number, 9}));
   for (int i = 0; i < discs; ++i) {
     const auto disc = std::uint64_t(i);
     const int x = random_int(0, width, {number, disc, 1});
@@ -40,11 +39,20 @@ ConfinementRegions regions_of(int width, int height, std::uint64_t number, int d
     const int radius = random_int(1, 9, {number, disc, 3});
     for (int cy = 0; cy < height; ++cy) {
       for (int cx = 0; cx < width; ++cx) {
-        if (std::hypot(cx - x, cy - y) <= radius) regions.label(cx, cy) = -1;
+        if (std::hypot(cx - x, cy - y) <= radius) label(cx, cy) = -1;
       }
     }
   }
+  ConfinementRegions regions;
+  regions.label = RunMap(label);
   return regions;
+}
+
+/// A cell of the regions is blocked.
+void block_cell(ConfinementRegions& regions, int x, int y) {
+  Grid<std::int32_t> label = numbers_of(regions.label.runs());
+  label(x, y) = -1;
+  regions.label = RunMap(label);
 }
 
 bool same_graph(const TravelGraph& a, const TravelGraph& b) {
@@ -78,7 +86,7 @@ TEST_CASE("a graph that takes over the blocks of another is the one that is buil
       next_ground.terrain = std::make_shared<const Terrain>(terrain);
     }
     ConfinementRegions next = step % 3 == 0 ? regions_of(width, height, step + 2, 10) : regions;
-    if (step % 4 == 2) next.label(random_int(0, width - 1, {step, 7}), random_int(0, height - 1, {step, 8})) = -1;
+    if (step % 4 == 2) block_cell(next, random_int(0, width - 1, {step, 7}), random_int(0, height - 1, {step, 8}));
     const KnownGraph known{graph, blocks, regions.label, blocks_of_same_ground(ground, next_ground, 10)};
     TravelBlocks made;
     TravelGraph taken = build_travel_graph(next_ground, next, mobility, 10, &known, made);

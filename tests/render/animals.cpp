@@ -5,6 +5,8 @@
 
 #include "render/animal_mesh.hpp"
 #include "render/animal_pick.hpp"
+#include "render/animal_season.hpp"
+#include "render/animal_surroundings.hpp"
 
 using namespace biotope;
 
@@ -64,8 +66,73 @@ TEST_CASE("Every species has a mesh at every detail, fewer triangles the coarser
       CHECK(longest < 1.2F * one.length);
       for (const std::uint32_t index : mesh.indices) REQUIRE(index < mesh.vertices.size());
     }
-    CHECK(last <= 130);
+    CHECK(last <= 160);
   }
+}
+
+TEST_CASE("From afar one still sees what has antlers or horns, and a long tail") {
+  const auto reach = [](const Listed& one, float part) {
+    float highest = 0;
+    const AnimalMesh mesh = make_animal_mesh(shape_of(one), one.name, AnimalDetail::silhouette);
+    for (const AnimalVertex& vertex : mesh.vertices) {
+      if (vertex.rig.x == part) highest = std::max(highest, std::abs(vertex.position.z) + std::abs(vertex.position.x));
+    }
+    return highest;
+  };
+  for (const Listed& one : listed) {
+    INFO(one.name);
+    const AnimalBuild build = animal_build(shape_of(one), one.name);
+    CHECK((reach(one, 7) > one.shoulder) == (build.headgear != Headgear::none));
+    CHECK((reach(one, 5) > 0) == (build.tail_length >= 0.3F));
+  }
+}
+
+TEST_CASE("Deer cast their antlers, grow them in velvet and clean them when their species does") {
+  const auto grown = [](const char* name, bool male, int month) { return antlers(name, male, month, 0).grown; };
+  // Red deer: clean from September to March, cast by April, in velvet in summer (January is 0).
+  for (const int month : {8, 9, 10, 11, 0, 1, 2}) {
+    CHECK(grown("Cervus elaphus", true, month) == 1);
+    CHECK(!antlers("Cervus elaphus", true, month, 0).velvet);
+  }
+  CHECK(grown("Cervus elaphus", true, 3) < 0.2F);
+  for (const int month : {4, 5, 6}) CHECK(antlers("Cervus elaphus", true, month, 0).velvet);
+  for (int month = 4; month < 7; ++month) CHECK(grown("Cervus elaphus", true, month) < grown("Cervus elaphus", true, month + 1));
+  // Fallow deer keep theirs a month longer; roe deer grow theirs in winter.
+  CHECK(grown("Dama roberti", true, 3) == 1);
+  CHECK(antlers("Capreolus capreolus", true, 0, 0).velvet);
+  CHECK(!antlers("Capreolus capreolus", true, 6, 0).velvet);
+  // In winter reindeer cows have theirs when bulls have none.
+  CHECK(grown("Rangifer tarandus", false, 1) == 1);
+  CHECK(grown("Rangifer tarandus", true, 1) == 0);
+  // Horns stay.
+  for (int month = 0; month < 12; ++month) CHECK(grown("Ovis ammon", true, month) == 1);
+  // Within the month of casting some have theirs and some have none, but none a half.
+  for (const float early : {0.0F, 0.4F, 0.6F, 1.0F}) {
+    const float size = antlers("Cervus elaphus", true, 2, early).grown;
+    CHECK((size == 1 || size < 0.2F));
+  }
+  CHECK(antlers("Cervus elaphus", true, 2, 0).grown != antlers("Cervus elaphus", true, 2, 1).grown);
+}
+
+TEST_CASE("Coats are thicker and duller in winter, fallow deer lose their spots, and summer's are those of the species") {
+  for (const Listed& one : listed) {
+    INFO(one.name);
+    const AnimalCoat summer = animal_coat(one.name, 6);
+    CHECK(summer.grey == 0);
+    CHECK(summer.pale == 0);
+    CHECK(summer.shade == 1);
+    CHECK(summer.hair == 0);
+    const AnimalCoat winter = animal_coat(one.name, 0);
+    CHECK(winter.hair >= animal_coat(one.name, 9).hair);
+    CHECK(winter.hair < 0.05F);
+    CHECK(winter.shade <= 1);
+  }
+  CHECK(animal_coat("Dama roberti", 6).spots == 1);
+  CHECK(animal_coat("Dama roberti", 0).spots < 0.2F);
+  CHECK(animal_coat("Rangifer tarandus", 0).pale > 0.2F);
+  CHECK(northern_month(0, 45) == 0);
+  CHECK(northern_month(0, -33) == 6);
+  CHECK(northern_month(9, -33) == 3);
 }
 
 TEST_CASE("A grazing animal's mouth reaches the ground") {

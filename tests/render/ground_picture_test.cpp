@@ -22,8 +22,9 @@ bool equal(const GroundPicture& a, const GroundPicture& b) {
          equal(a.shape->heights, b.shape->heights) && equal(a.shape->normals, b.shape->normals) &&
          a.lines->shore->codes == b.lines->shore->codes && a.lines->near_water == b.lines->near_water &&
          equal(a.lines->lines, b.lines->lines) && equal(a.lines->currents, b.lines->currents) &&
-         a.lines->trodden == b.lines->trodden && equal(a.tints->ground, b.tints->ground) &&
-         equal(a.tints->canopy, b.tints->canopy) && equal(a.light->sunlit, b.light->sunlit);
+         bool(a.lines->trails) == bool(b.lines->trails) && (!a.lines->trails || *a.lines->trails == *b.lines->trails) &&
+         equal(a.tints->ground, b.tints->ground) && equal(a.tints->canopy, b.tints->canopy) &&
+         equal(a.light->sunlit, b.light->sunlit);
 }
 
 std::shared_ptr<MapsSnapshot> hilly_landscape() {

@@ -46,3 +46,14 @@ TEST_CASE("shores lie half a river's width from its middle") {
   CHECK(shore_distance(shore(64 * 2 - 10, 128)) == Approx(-4).margin(1.5));
   CHECK(shore_distance(shore(20, 128)) <= -7.9F);
 }
+
+TEST_CASE("a river is wider at a ford") {
+  const Terrain& terrain = level_landscape()->terrain();
+  const Hydrology water = two_reaches(59, 60);
+  const auto half_width = [&](const Grid<std::uint8_t>& shore, int row) {
+    return shore_distance(shore(64 * 4 + 2, row * 4 + 2));
+  };
+  const Grid<std::uint8_t> shore = shore_field(terrain, water, 4, FordLook({{64, 30, 4}}));
+  CHECK(half_width(shore, 30) > 1.25F * half_width(shore, 50));
+  CHECK(half_width(shore, 50) == half_width(shore_field(terrain, water, 4), 50));
+}

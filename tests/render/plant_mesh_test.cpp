@@ -39,6 +39,12 @@ TEST_CASE("woody plants stay within their budget of triangles and near their sha
     INFO(plant.model << " " << plant.height);
     const PlantMesh near = make_plant_mesh(plant, PlantDetail::near, 1);
     const PlantMesh mid = make_plant_mesh(plant, PlantDetail::mid, 1);
+    const PlantMesh close = make_plant_mesh(plant, PlantDetail::close, 1);
+    CHECK(close.triangles() >= 1200);
+    CHECK(close.triangles() <= 9000);
+    CHECK(close.vertices.size() < 65536);
+    CHECK(extent_of(close).height == Approx(extent_of(near).height).epsilon(0.2));
+    CHECK(extent_of(close).radius == Approx(extent_of(near).radius).epsilon(0.3));
     CHECK(near.triangles() >= 280);
     CHECK(near.triangles() <= 1500);
     CHECK(mid.triangles() >= 35);
@@ -53,11 +59,11 @@ TEST_CASE("herbs near are single blades, from afar two cards, and every mesh is 
   auto all = shapes();
   for (const char* model : {"grass", "herb", "flower", "something new"}) all.push_back(shape(model, 0.6F, 0.4F, 0.1F));
   for (const PlantShape& plant : all) {
-    for (const PlantDetail detail : {PlantDetail::near, PlantDetail::mid}) {
+    for (const PlantDetail detail : {PlantDetail::close, PlantDetail::near, PlantDetail::mid}) {
       const PlantMesh mesh = make_plant_mesh(plant, detail, 3);
       INFO(plant.model);
       CHECK(mesh.triangles() > 0);
-      if (plant.height < 1) CHECK(mesh.triangles() <= (detail == PlantDetail::near ? 70U : 8U));
+      if (plant.height < 1) CHECK(mesh.triangles() <= (detail == PlantDetail::mid ? 8U : 70U));
       for (const auto index : mesh.indices) REQUIRE(index < mesh.vertices.size());
       for (const PlantVertex& vertex : mesh.vertices) {
         REQUIRE(glm::length(vertex.normal) == Approx(1).epsilon(1e-3));
@@ -93,7 +99,7 @@ TEST_CASE("leaf pictures have holes, all but barks") {
     for (const Rgba& texel : pictures[i].cells()) covered += texel[3] > 0 ? 1 : 0;
     covered /= double(pictures[i].size());
     INFO("picture " << i << " covers " << covered);
-    if (LeafPicture(i) == LeafPicture::bark || LeafPicture(i) == LeafPicture::pale_bark) {
+    if (is_solid(LeafPicture(i))) {
       CHECK(covered == 1);
     } else {
       CHECK(covered > 0.02);
@@ -104,8 +110,8 @@ TEST_CASE("leaf pictures have holes, all but barks") {
 
 TEST_CASE("foliage does not thin out with distance") {
   const auto pictures = leaf_pictures();
-  for (const LeafPicture which :
-       {LeafPicture::broad, LeafPicture::small, LeafPicture::needles, LeafPicture::bough, LeafPicture::blades}) {
+  for (const LeafPicture which : {LeafPicture::broad, LeafPicture::small, LeafPicture::needles, LeafPicture::bough,
+                                  LeafPicture::blades, LeafPicture::oak_spray, LeafPicture::pine_spray, LeafPicture::frond}) {
     const auto levels = leaf_mipmaps(pictures[std::size_t(which)]);
     REQUIRE(levels.back().width() == 4);
     const auto passing = [](const Grid<Rgba>& level) {

@@ -74,7 +74,8 @@ TEST_CASE("plants per hectare are those of the cover map within 2 %") {
       const double radius =
           0.5 * snapshot->web->species[std::size_t(snapshot->web->levels[0][plant])].plant().shape.crown_diameter;
       const double expected = wanted * cells * cells * cell_size * cell_size / (glm::pi<double>() * radius * radius);
-      CHECK(double(plants.size()) == Approx(expected).epsilon(wanted < 0.2F && plant == 0 ? 0.035 : 0.02));
+      // Of some hundreds chance moves a few more.
+      CHECK(double(plants.size()) == Approx(expected).epsilon(expected < 1000 ? 0.035 : 0.02));
     }
   }
 }
@@ -93,10 +94,11 @@ TEST_CASE("where animals ate most of the growth herbs are lower and fewer") {
   cover(*snapshot, 3, 0.6F);
   // One level of animals in two pieces: the west is eaten bare, nothing of the east.
   auto partition = std::make_shared<Partition>();
-  partition->label = Grid<std::int32_t>(cells, cells, 0);
+  Grid<std::int32_t> label(cells, cells, 0);
   for (int y = 0; y < cells; ++y) {
-    for (int x = cells / 2; x < cells; ++x) partition->label(x, y) = 1;
+    for (int x = cells / 2; x < cells; ++x) label(x, y) = 1;
   }
+  partition->label = RunMap(label);
   partition->pieces.resize(2);
   auto level = std::make_shared<AnimalLevel>();
   level->partition = partition;
@@ -134,7 +136,9 @@ TEST_CASE("where animals ate most of the growth herbs are lower and fewer") {
   after->animals = {hungrier};
   after->complete = true;
   blocks.set_snapshot(after);
-  for (const auto& [place, block] : blocks.blocks(Stratum::herb)) CHECK(block.stale);
+  for (const auto& [place, block] : blocks.blocks(Stratum::herb)) {
+    if (place.second != 15) CHECK(block.stale == (place.second > 15));  // the east begins at 256 m; what touches it may be stale
+  }
   for (const auto& [place, block] : blocks.blocks(Stratum::tree)) CHECK_FALSE(block.stale);
 }
 
@@ -207,7 +211,7 @@ TEST_CASE("an edit moves no plant elsewhere, and rebuilds only the blocks under 
   blocks.set_snapshot(after);
   int stale = 0;
   for (const auto& [place, block] : blocks.blocks(Stratum::tree)) stale += block.stale ? 1 : 0;
-  CHECK(stale == 16);  // one tile of 64 cells is 256 m: 4 x 4 blocks
+  CHECK(stale == 4);  // 80 m from the corner: 2 x 2 blocks of 64 m
 }
 
 TEST_CASE("the order of building and its budget do not matter") {

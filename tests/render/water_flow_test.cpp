@@ -62,3 +62,15 @@ TEST_CASE("currents of a coarser texture are those of the same places") {
   CHECK(coarse(16, 16)[1] < 120);
   CHECK(coarse(2, 16) == Rgba{128, 128, 0, 0});
 }
+
+TEST_CASE("at a ford the stream is shallow and breaks, and nowhere else") {
+  const auto hydrology = river(60, 68);
+  const Terrain terrain = falling_south(0.01F);
+  const FordLook ford({{64, 40, 6}});
+  const Grid<Rgba> with = water_flow(terrain, *hydrology, 1, ford);
+  const Grid<Rgba> without = water_flow(terrain, *hydrology, 1);
+  CHECK(int(with(64, 40)[2]) < int(without(64, 40)[2]) / 2);
+  CHECK(with(64, 40)[3] > 100);
+  CHECK(without(64, 40)[3] == 0);
+  CHECK(with(64, 90) == without(64, 90));
+}

@@ -64,9 +64,10 @@ TEST_CASE("a level is one more than the highest level eaten, whatever the order 
 }
 
 TEST_CASE("groups hold what their names say, and never the eater itself") {
-  const FoodWeb web = web_of({plant("grass"), plant("berry", Stratum::shrub), plant("oak", Stratum::tree),
-                              animal("deer", {{"plants"}}), animal("goat", {{"shrubs"}}), animal("squirrel", {{"trees"}, {"herbs"}}),
-                              animal("fox", {{"shrubs"}, {"herbivores"}}), animal("eagle", {{"animals"}})});
+  const FoodWeb web =
+      web_of({plant("grass"), plant("berry", Stratum::shrub), plant("oak", Stratum::tree), animal("deer", {{"plants"}}),
+              animal("goat", {{"shrubs"}}), animal("squirrel", {{"trees"}, {"herbs"}}),
+              animal("fox", {{"shrubs"}, {"herbivores"}}), animal("eagle", {{"animals"}})});
   const auto foods = [&](const char* eater, std::size_t need) {
     return names(web, web.diets[std::size_t(web.find(eater))][need].foods);
   };
@@ -98,8 +99,9 @@ TEST_CASE("a species named itself keeps its own preference within a group") {
 }
 
 TEST_CASE("a diet cycle is refused with its members") {
-  CHECK(refusal_of({plant("grass"), animal("lion", {{"wolf"}}), animal("wolf", {{"fox"}}), animal("fox", {{"herbs"}, {"lion"}})}) ==
-        R"(a diet cycle: "lion" eats "wolf", which eats "fox", which eats "lion"; remove one of these foods)");
+  CHECK(
+      refusal_of({plant("grass"), animal("lion", {{"wolf"}}), animal("wolf", {{"fox"}}), animal("fox", {{"herbs"}, {"lion"}})}) ==
+      R"(a diet cycle: "lion" eats "wolf", which eats "fox", which eats "lion"; remove one of these foods)");
   CHECK(refusal_of({plant("grass"), animal("hawk", {{"animals"}}), animal("owl", {{"animals"}})}) ==
         R"(a diet cycle: "hawk" eats "owl" (one of "animals"), which eats "hawk" (one of "animals"); remove one of these foods)");
 }
@@ -132,10 +134,25 @@ TEST_CASE("desired shares are normalised over the level, by climate and else by 
   Species goat = animal("goat", {{"herbs"}});
   goat.proportions = {{"default", 1}, {"ice-age", 20}};
   Species hare = animal("hare", {{"herbs"}});
+  hare.proportions = {{"tropics", 5}};
   const FoodWeb web = web_of({plant("grass"), deer, goat, hare});
   CHECK(desired_proportions(web, 1, "mediterranean") == std::vector<double>{0.75, 0.25, 0});
   CHECK(desired_proportions(web, 1, "ice-age") == std::vector<double>{0, 1, 0});
   CHECK(desired_proportions(web, 0, "ice-age").empty());
+}
+
+TEST_CASE("who asks for no share is not driven out by those who ask") {
+  Species deer = animal("deer", {{"herbs"}});
+  const Species goat = animal("goat", {{"herbs"}});
+  const Species hare = animal("hare", {{"herbs"}});
+  const auto with_deer = [&](double share) {
+    deer.proportions = {{"default", share}};
+    return desired_proportions(web_of({plant("grass"), deer, goat, hare}), 1, "mediterranean");
+  };
+  CHECK(with_deer(0.5) == std::vector<double>{0.5, 0.25, 0.25});
+  CHECK(with_deer(1) == std::vector<double>{1, 0, 0});
+  CHECK(with_deer(6) == std::vector<double>{1.0 / 3, 1.0 / 3, 1.0 / 3});
+  CHECK(with_deer(0).empty());
 }
 
 TEST_CASE("the built-in lists make webs of plants, herbivores and carnivores") {

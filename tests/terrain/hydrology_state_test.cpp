@@ -38,6 +38,18 @@ void shape(Grid<float>& height, int x, int y, int radius, std::uint64_t number) 
   }
 }
 
+/// Some cells near a place, as if a lake were drawn there.
+std::vector<std::uint32_t> some_cells(const Grid<float>& height, int x, int y, std::uint64_t number) {
+  std::vector<std::uint32_t> cells;
+  for (int cy = std::max(0, y - 6); cy < std::min(height.height(), y + 6); ++cy) {
+    for (int cx = std::max(0, x - 6); cx < std::min(height.width(), x + 6); ++cx) {
+      if (random_int(0, 2, {number, std::uint64_t(cx), std::uint64_t(cy)}) == 0)
+        cells.push_back(std::uint32_t(height.index(cx, cy)));
+    }
+  }
+  return cells;
+}
+
 std::string difference(const Hydrology& a, const Hydrology& b) {
   if (!(a.filled == b.filled)) return "filled";
   if (!(a.receiver == b.receiver)) return "receiver";
@@ -86,6 +98,7 @@ void follow_edits(Terrain ground, HydrologyOptions options, int edits, std::uint
     shape(ground.height, x, y, radius, number);
     TileSet changed = tiles_of_disc(ground.height, x, y, radius);
     if (i % 7 == 6) options.inflows.push_back({ground.height.width() / 2, ground.height.height() / 2, 2e6 * (i + 1)});
+    if (i % 5 == 3) options.lake_cells = some_cells(ground.height, x, y, number);
     const auto before = state.newest();
     const Hydrology copy = *before;
     const std::uint64_t seen = state.changes().version();
@@ -120,6 +133,17 @@ TEST_CASE("water that enters the map is followed when the ground changes") {
   HydrologyOptions options;
   options.inflows.push_back({150, 0, 3e8});
   follow_edits(sloping(300, 280, 1, 7), options, 14, 3);
+}
+
+TEST_CASE("water of a coast is followed, and so is the sea itself") {
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    // The sea in the south, and bays, lagoons and islands where hollows and hills reach its level.
+    Terrain ground = rough_ground(300, 280, 3, 31 + seed, 0);
+    for (int y = 0; y < ground.height.height(); ++y) {
+      for (int x = 0; x < ground.height.width(); ++x) ground.height(x, y) += 0.12F * float(150 - y);
+    }
+    follow_edits(ground, {}, 25, 70 + seed);
+  }
 }
 
 TEST_CASE("water of a plain with many flats and hollows is followed") {

@@ -221,6 +221,19 @@ TEST_CASE("a drawn lake is a lake with its shore and depth: on a plane, a slope 
   }
 }
 
+TEST_CASE("a pond that a person drew is a lake, however small and shallow") {
+  const DrawnWater drawn = one_lake(60, 55, 4, 0.3F);
+  const Terrain land = shaped_terrain(noisy_slope(120, 5), nullptr, drawn);
+  HydrologyOptions options;
+  CHECK(check_lake(*compute_hydrology(land, options), 60, 55, 4).deepest == 0);
+  options.lake_cells = cells_of_lakes(drawn.lakes, land.height.rect());
+  const LakeCheck check = check_lake(*compute_hydrology(land, options), 60, 55, 4);
+  CHECK(check.inside_dry == 0);
+  CHECK(check.outside_wet == 0);
+  CHECK(check.deepest > 0.1F);
+  CHECK(check.deepest <= 0.301F);
+}
+
 TEST_CASE("the floor of a lake falls gently from its shore") {
   const Terrain land = shaped_terrain(plane(120, 5), nullptr, one_lake(60, 60, 20, 30));
   // Too small for 30 m at 1 : 2.

@@ -15,6 +15,8 @@ using namespace biotope;
 
 namespace {
 
+const double autosave_seconds = double(Settings().autosave_seconds);
+
 /// A folder of its own that goes with the test.
 struct Scratch {
   std::filesystem::path path = std::filesystem::temp_directory_path() / ("biotope-autosave-test-" + std::to_string(getpid()));

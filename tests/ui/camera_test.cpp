@@ -48,6 +48,10 @@ TEST_CASE("the camera stays above the ground and near the landscape") {
   Camera camera;
   camera.position = {350, 300, -1000};
   CHECK(kept_over_ground(camera, terrain).position.z == Approx(ground_height(terrain, 350, 300) + 1.5));
+  // A lake that came to lie there lifts it over its surface.
+  Hydrology lake;
+  lake.water_depth = Grid<float>(terrain.height.width(), terrain.height.height(), 7);
+  CHECK(kept_over_ground(camera, terrain, 1.5, &lake).position.z == Approx(ground_height(terrain, 350, 300) + 8.5));
   camera.position = {1e9, -1e9, 1e9};
   const Camera kept = kept_over_ground(camera, terrain);
   CHECK(kept.position.x < 1e4);

@@ -77,6 +77,8 @@ void require_same_work(const Document& a, const Document& b) {
   }
   REQUIRE((a.selection == nullptr) == (b.selection == nullptr));
   if (a.selection) REQUIRE(*a.selection == *b.selection);
+  REQUIRE((a.locked_area == nullptr) == (b.locked_area == nullptr));
+  if (a.locked_area) REQUIRE(*a.locked_area == *b.locked_area);
 }
 
 StrokeEdit stroke(float x, float y, float value) {
@@ -175,7 +177,7 @@ TEST_CASE("random sessions with undo and redo, recorded from the middle, play to
         desk.start();
       }
       const auto dice = [&](int high, std::uint64_t what) { return random_int(0, high, {session, i, what}); };
-      const int kind = dice(7, 0);
+      const int kind = dice(8, 0);
       if (kind <= 2) {
         desk.undo();
       } else if (kind == 3) {
@@ -186,6 +188,8 @@ TEST_CASE("random sessions with undo and redo, recorded from the middle, play to
       } else if (kind == 5) {
         const auto corner = PathPoint{float(dice(100, 1)), float(dice(100, 2))};
         desk.perform(SelectEdit{SelectEdit::Shape(dice(3, 3) == 0 ? 0 : 2), SelectionMode(dice(3, 4)), {{5, 5}, corner}, {}});
+      } else if (kind == 6) {
+        desk.perform(LockEdit{LockEdit::How(dice(3, 5))});
       } else {
         desk.perform(stroke(float(dice(150, 1)), float(dice(120, 2)), float(dice(9, 3)) / 9));
       }
@@ -199,4 +203,23 @@ TEST_CASE("what no script can hold is counted") {
   desk.start();
   desk.change("Other ground", [](Document& d) { d.terrain = std::make_shared<const Terrain>(*d.terrain); });
   CHECK(desk.recorder.missed() == 1);
+}
+
+TEST_CASE("another landscape is part of a recording, and neither undo nor redo reaches over it") {
+  Desk desk;
+  desk.start();
+  desk.change("Seed", [](Document& document) { document.seed = 9; });
+  desk.document = valley();
+  desk.document.seed = 77;
+  desk.history.clear();
+  desk.recorder.record_open("sample:valley", {}, desk.document);
+  desk.change("Title", [](Document& document) { document.title = "New"; });
+  desk.undo();
+  const auto& entries = desk.recorder.script().entries;
+  REQUIRE(entries.size() == 4);
+  CHECK(std::get<OpenEntry>(entries[1].what).sample == "valley");
+  CHECK(std::holds_alternative<PartsPatch>(entries[2].what));
+  CHECK(std::get<UndoEntry>(entries[3].what).steps == 1);
+  CHECK(desk.recorder.missed() == 0);
+  CHECK(desk.recorder.unsaved());
 }

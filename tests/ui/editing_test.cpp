@@ -3,6 +3,7 @@
 #include "tests/ui/small_landscape.hpp"
 #include "ui/crop_selection.hpp"
 #include "ui/editor_actions.hpp"
+#include "ui/layer_actions.hpp"
 #include "ui/map_furniture.hpp"
 #include "ui/outdated_area.hpp"
 #include "ui/panels/climate_chart.hpp"
@@ -71,7 +72,9 @@ TEST_CASE("no brush changes a locked species, alone or beside another") {
   show_small(state);
   state.brush = flat_brush();
   state.tool = Tool::add;
-  state.locked_species = {"herb"};
+  const Species& species = state.shown->web->species[2];
+  set_species_locked(state, species, true);
+  REQUIRE(state.history.names() == std::vector<std::string>{"Lock " + display_name(species)});
   select_species(state, 2);
   CHECK_FALSE(paint_hindrance(state).empty());
   begin_stroke(state, 40, 40);
@@ -97,6 +100,30 @@ TEST_CASE("plants and animals are never painted together, and the selected one c
   toggle_species(state, 0);
   CHECK(state.selected_species == 2);
   CHECK(state.also_selected.empty());
+}
+
+TEST_CASE("on the tabs of plants and animals a species is always selected, and each tab remembers its own") {
+  EditorState state;
+  show_small(state);
+  state.view.tab = Tab::climate;
+  select_for_tab(state);
+  CHECK(state.selected_species == -1);
+  state.view.tab = Tab::plants;
+  const MapId shown = shown_map(state);
+  select_for_tab(state);
+  CHECK(state.selected_species == 0);
+  // The map one looks at stays, and yet the brush has something to paint.
+  CHECK(shown_map(state) == shown);
+  CHECK(paint_target(state) == grass);
+  select_species(state, 2);
+  select_for_tab(state);
+  CHECK(state.selected_species == 2);
+  state.view.tab = Tab::animals;
+  select_for_tab(state);
+  CHECK(state.selected_species == 1);
+  state.view.tab = Tab::plants;
+  select_for_tab(state);
+  CHECK(state.selected_species == 2);
 }
 
 TEST_CASE("a dropped terrain is looked at first, a scene is opened, and unsaved work is asked about") {

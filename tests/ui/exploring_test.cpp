@@ -163,14 +163,14 @@ TEST_CASE("an eye among leaves sees nothing, one beside the crown sees past it, 
   const double height = double(shape.height) * double(tree.scale);
   const glm::dvec3 foot(double(tree.x), double(tree.y), double(tree.z));
   const glm::dvec3 leaves = foot + glm::dvec3(0, 0, 0.5 * (1 + double(shape.trunk_fraction)) * height);
-  const PlantsAround around(maps, foot, 80);
+  const PlantsAround around(placement, foot, 80);
   const glm::dvec3 sky(0, 0, 500);
   CHECK_FALSE(around.free(leaves, leaves + sky));
   CHECK(around.free(leaves + glm::dvec3(0, 0, 60), leaves + sky));
   // Straight through the crown the ground is hidden.
   CHECK_FALSE(around.free(leaves + glm::dvec3(0, 0, 60), foot));
   std::vector<bool> hidden(maps->web->species.size(), false);
-  CHECK(PlantsAround(maps, foot, 80, hidden).free(leaves, leaves + sky));
+  CHECK(PlantsAround(placement, foot, 80, hidden).free(leaves, leaves + sky));
 }
 
 TEST_CASE("a view from a steeper slant looks at the same place from higher up") {
@@ -187,15 +187,17 @@ TEST_CASE("a view from a steeper slant looks at the same place from higher up") 
 }
 
 TEST_CASE("a level is chosen that keeps its pace, and never less than low") {
-  const auto level = [](double seconds) {
+  const auto level = [](double seconds, bool software = false) {
     const std::array<double, 3> measured{seconds * 3, seconds, seconds * 1.2};
-    return measured_level(measured, false);
+    return measured_level(measured, software);
   };
   CHECK(level(0.5) == QualityLevel::low);
-  CHECK(level(0.015) == QualityLevel::medium);
-  CHECK(level(0.006) == QualityLevel::high);
+  CHECK(level(0.015) == QualityLevel::low);
+  CHECK(level(0.007) == QualityLevel::medium);
+  CHECK(level(0.003) == QualityLevel::high);
   CHECK(level(0.001) == QualityLevel::ultra);
-  CHECK(measured_level(std::array<double, 1>{0.0001}, true) == QualityLevel::low);
+  CHECK(level(0.08, true) == QualityLevel::low);
+  CHECK(level(0.015, true) == QualityLevel::medium);
   CHECK(measured_level({}, false) == QualityLevel::low);
 }
 

@@ -57,7 +57,10 @@ TEST_CASE("an hour is read modulo a day") {
 
 TEST_CASE("memory has units") {
   CHECK(format_bytes(999) == "999 B");
-  CHECK(format_bytes(3'400'000) == "3.40 MB");
+  CHECK(format_bytes(3'400'000) == "3.24 MiB");
+  // What a setting says in megabytes of memory is told as that.
+  CHECK(format_bytes(std::size_t(1024) << 20) == "1.00 GiB");
+  CHECK(format_bytes(std::size_t(512) << 20) == "512 MiB");
 }
 
 TEST_CASE("months have names") {

@@ -34,11 +34,12 @@ inline std::shared_ptr<MapsSnapshot> small_landscape() {
   auto level = std::make_shared<AnimalLevel>();
   level->species = {1};
   auto regions = std::make_shared<ConfinementRegions>();
-  regions->label = Grid<std::int32_t>(width, height, 0);
+  Grid<std::int32_t> label(width, height, 0);
   regions->regions.resize(2);
   for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) regions->label(x, y) = x < 40 ? 0 : x == 40 ? -1 : 1;
+    for (int x = 0; x < width; ++x) label(x, y) = x < 40 ? 0 : x == 40 ? -1 : 1;
   }
+  regions->label = RunMap(label);
   regions->regions[0].area = 40 * height * 100.0;
   regions->regions[1].area = 29 * height * 100.0;
   level->regions = {regions};

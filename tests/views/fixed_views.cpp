@@ -4,6 +4,8 @@
 #include <optional>
 
 #include "core/movement/daily_plan.hpp"
+#include "render/animal_world.hpp"
+#include "render/plant_placement.hpp"
 
 namespace biotope::test {
 namespace {
@@ -27,16 +29,73 @@ Camera looking_at(const Terrain& terrain, glm::dvec2 place, double bearing, doub
 struct HerdMoment {
   glm::dvec2 place;
   double hour = 0;
+  /// Toward the water that it drinks, degrees.
+  double bearing = 0;
 };
 
-/// The first herd of at least six that drinks in full daylight.
+/// Direction (degrees) from a place to the middle of the water within a distance (m); nothing where there is none.
+std::optional<double> bearing_to_water(const MapsSnapshot& snapshot, glm::dvec2 place, double reach) {
+  const Terrain& terrain = snapshot.terrain();
+  const Rect cells = cells_under(terrain, place.x - reach, place.y - reach, 2 * reach);
+  glm::dvec2 sum(0);
+  for (int y = cells.y0; y < cells.y1; ++y) {
+    for (int x = cells.x0; x < cells.x1; ++x) {
+      if (snapshot.hydrology->water_depth(x, y) <= 0) continue;
+      const glm::dvec2 to = metres_of(terrain, {float(x), float(y)}) - place;
+      if (glm::length(to) < reach) sum += to;
+    }
+  }
+  if (glm::length(sum) < 1) return std::nullopt;
+  return std::atan2(sum.x, sum.y) * 57.29578;
+}
+
+/// Trees that stand between the eye and what it looks at.
+int trees_in_the_way(const PlantPlacement& plants, const Camera& camera, glm::dvec2 place) {
+  const glm::dvec2 eye(camera.position);
+  const glm::dvec2 along = glm::normalize(place - eye);
+  int count = 0;
+  for (int row = int(place.y / 64) - 1; row <= int(place.y / 64) + 1; ++row) {
+    for (int column = int(place.x / 64) - 1; column <= int(place.x / 64) + 1; ++column) {
+      for (const PlantInstance& tree : plants.block(Stratum::tree, column, row)) {
+        const glm::dvec2 to = glm::dvec2(tree.x, tree.y) - eye;
+        const double ahead = glm::dot(to, along);
+        const double aside = std::abs(to.x * along.y - to.y * along.x);
+        count += ahead > -4 && ahead < glm::length(place - eye) + 4 && aside < 3 + 0.3 * std::max(0.0, ahead) ? 1 : 0;
+      }
+    }
+  }
+  return count;
+}
+
+/// Looks over a herd toward the water, from where the fewest trees are in the way.
+Camera looking_at_herd(const MapsSnapshot& snapshot, const HerdMoment& herd) {
+  const PlantPlacement plants(std::make_shared<const MapsSnapshot>(snapshot));
+  Camera best;
+  int fewest = 1 << 30;
+  for (const double turn : {0.0, -20.0, 20.0, -40.0, 40.0, -60.0, 60.0}) {
+    const Camera camera = looking_at(snapshot.terrain(), herd.place, herd.bearing + turn, 15, 3.5);
+    const int trees = trees_in_the_way(plants, camera, herd.place);
+    if (trees >= fewest) continue;
+    fewest = trees;
+    best = camera;
+  }
+  return best;
+}
+
+/// The first herd of at least six that drinks in full daylight: the middle of its animals, and where the water is.
 std::optional<HerdMoment> drinking_herd(const MapsSnapshot& snapshot) {
+  HerdSimulation simulation(herd_world(snapshot, nullptr));
   for (double hour = 8; hour < 17; hour += 0.25) {
-    for (const DailyPlan& plan : *snapshot.plans) {
+    for (std::size_t number = 0; number < snapshot.plans->size(); ++number) {
+      const DailyPlan& plan = (*snapshot.plans)[number];
       if (plan.size < 6 || plan.level == 0) continue;
       const auto& graph = snapshot.graph->levels[std::size_t(plan.level)];
-      const HerdState state = herd_state(plan, graph, hour, snapshot.terrain().cell_size);
-      if (state.activity == HerdActivity::drinking) return HerdMoment{metres_of(snapshot.terrain(), state.at), hour};
+      if (herd_state(plan, graph, hour, snapshot.terrain().cell_size).activity != HerdActivity::drinking) continue;
+      glm::dvec2 mean(0);
+      const auto animals = simulation.animals(int(number), hour);
+      for (const HerdAnimal& animal : animals) mean += glm::dvec2(animal.place.x, animal.place.y) / double(animals.size());
+      const auto bearing = bearing_to_water(snapshot, mean, 60);
+      if (bearing) return HerdMoment{mean, hour, *bearing};
     }
   }
   return std::nullopt;
@@ -102,6 +161,16 @@ LandscapeOptions at(int month, double hour, const char* weather = "fair") {
 
 }  // namespace
 
+FixedView brush_view(const MapsSnapshot& snapshot) {
+  const Terrain& terrain = snapshot.terrain();
+  const glm::dvec2 middle(terrain.width_metres() / 2, terrain.height_metres() / 2);
+  // Steep enough that trees hide little of it.
+  FixedView view{"brush", looking_at(terrain, middle, 30, 110, 150), at(5, 10.5)};
+  view.options.brush = glm::vec3(middle.x / terrain.cell_size - 0.5, terrain.height.height() - 0.5 - middle.y / terrain.cell_size,
+                                 60 / terrain.cell_size);
+  return view;
+}
+
 std::vector<FixedView> fixed_views(const MapsSnapshot& snapshot) {
   const Terrain& terrain = snapshot.terrain();
   const Camera first = first_view(snapshot);
@@ -119,11 +188,9 @@ std::vector<FixedView> fixed_views(const MapsSnapshot& snapshot) {
       {"above", above, at(5, 10.5)},         {"winter-above", above, at(0, 12.5)}, {"evening-above", above, at(8, 18)},
       {"top-down", down, at(5, 10.5)},
   };
-  FixedView brush{"brush", above, at(5, 10.5)};
-  brush.options.brush = glm::vec3(float(terrain.height.width()) / 2, float(terrain.height.height()) / 2, 60);
-  views.push_back(brush);
+  views.push_back(brush_view(snapshot));
   if (const auto herd = drinking_herd(snapshot)) {
-    views.push_back({"herd", looking_at(terrain, herd->place, 35, 16, 3), at(5, herd->hour)});
+    views.push_back({"herd", looking_at_herd(snapshot, *herd), at(5, herd->hour)});
   }
   if (const auto fork = trail_fork(snapshot)) views.push_back({"fork", looking_at(terrain, *fork, 20, 16, 6), at(5, 9.5)});
   return views;

@@ -67,9 +67,7 @@ void draw_title(const UiContext& ui, const std::optional<LayerId>& target) {
   ImGui::PopFont();
   const std::string hindrance = paint_hindrance(ui.state);
   if (hindrance.empty()) return;
-  ImGui::PushStyleColor(ImGuiCol_Text, theme.attention);
-  ImGui::TextWrapped("%s", hindrance.c_str());
-  ImGui::PopStyleColor();
+  wrapped(theme.attention, hindrance);
 }
 
 /// Of a species one paints how many there are, or what an event takes from it.
@@ -190,6 +188,7 @@ void draw_clone(const UiContext& ui) {
     if (const auto layer = layer_menu(state)) state.paint.clone_from = layer;
     ImGui::EndPopup();
   }
+  if (state.tool != Tool::clone) return;
   hint(ui.theme, state.paint.clone_at || !(state.paint.clone_offset == PathPoint{})
                      ? "The cross shows where from; Ctrl+click moves it"
                      : "Ctrl+click on the map says where from; without, it is the same place");
@@ -202,6 +201,7 @@ void draw_fill_mode(const UiContext& ui) {
     BrushMode mode;
   };
   static constexpr Row rows[] = {{"Set the value", BrushMode::set}, {"Add up to it", BrushMode::add},
+                                 {"Subtract", BrushMode::subtract}, {"Clone another map", BrushMode::clone},
                                  {"Noise", BrushMode::noise},       {"Smooth", BrushMode::smooth},
                                  {"Sharpen", BrushMode::sharpen},   {"Restore computed", BrushMode::restore_computed}};
   const auto now =
@@ -212,6 +212,12 @@ void draw_fill_mode(const UiContext& ui) {
     if (ImGui::Selectable(row.name, row.mode == state.paint.fill_mode)) state.paint.fill_mode = row.mode;
   }
   ImGui::EndCombo();
+}
+
+/// What fills have to choose besides their value.
+void draw_fill(const UiContext& ui) {
+  draw_fill_mode(ui);
+  if (ui.state.paint.fill_mode == BrushMode::clone) draw_clone(ui);
 }
 
 void draw_size(const UiContext& ui) {
@@ -250,7 +256,7 @@ void draw_brush_panel(const UiContext& ui) {
   draw_title(ui, target);
   if (is_brush(state.tool)) draw_preset_choice(ui);
   if (target && !is_ground_tool(state.tool)) draw_density_or_event(ui, *target);
-  if (state.tool == Tool::fill) draw_fill_mode(ui);
+  if (state.tool == Tool::fill) draw_fill(ui);
   if (is_brush(state.tool)) draw_size(ui);
   draw_strength(ui, target);
   if (target) draw_value(ui, *target);

@@ -93,6 +93,10 @@ void draw_shape_section(const UiContext& ui) {
   labelled_slider(theme, "Spacing", brush.spacing, 0.05F, 2, format_percent(brush.spacing), true);
   tooltip(theme, "Distance from dab to dab, as a share of the radius");
   draw_stamps(ui);
+  ImGui::Checkbox("Pen pressure on size", &brush.pressure_sizes);
+  tooltip(theme, "A tablet's pen pressed lightly draws a small dab. A mouse presses wholly");
+  ImGui::Checkbox("Pen pressure on strength", &brush.pressure_strengthens);
+  tooltip(theme, "A tablet's pen pressed lightly paints gently");
 }
 
 }  // namespace biotope

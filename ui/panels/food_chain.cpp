@@ -1,6 +1,7 @@
 #include "ui/panels/food_chain.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -97,10 +98,37 @@ void draw_flows(const UiContext& ui, const MapsSnapshot& maps, const Picture& pi
   }
 }
 
-/// The first level that the worker has still to do; as many as there are when it has none.
-std::size_t first_stale_level(const EditorState& state, std::size_t levels) {
+/// What the worker has still to do; nothing when it rests.
+StaleStages stale_now(const EditorState& state) {
   const WorkerProgress progress = state.worker ? state.worker->progress() : WorkerProgress{};
-  return progress.busy ? std::min(progress.levels_done, levels) : levels;
+  return progress.busy ? progress.stale : StaleStages{};
+}
+
+/// Of an edge that breathes while something is being computed.
+ImVec4 pulse(const Theme& theme) {
+  const auto wave = float(0.5 + 0.5 * std::sin(ImGui::GetTime() * 6));
+  return with_alpha(theme.accent, 0.3F + 0.6F * wave);
+}
+
+/// What lies below and above the levels: lit while it is being computed.
+void draw_stages(const UiContext& ui, const StaleStages& stale) {
+  const Theme& theme = ui.theme;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImGui::PushFont(theme.small);
+  const std::array<std::pair<const char*, bool>, 4> stages{
+      {{"Water", stale.water}, {"Light and soil", stale.environment}, {"Trails", stale.trails}, {"Daily plans", stale.days}}};
+  for (const auto& [name, updating] : stages) {
+    const ImVec2 text = ImGui::CalcTextSize(name);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 end(at.x + text.x + theme.px(14), at.y + text.y + theme.px(6));
+    list.AddRectFilled(at, end, colour_u32(with_alpha(theme.text, 0.05F)), theme.px(4));
+    if (updating) list.AddRect(at, end, colour_u32(pulse(theme)), theme.px(4), 0, theme.px(1.5F));
+    list.AddText(ImVec2(at.x + theme.px(7), at.y + theme.px(3)), colour_u32(updating ? theme.text : theme.muted), name);
+    ImGui::Dummy(ImVec2(end.x - at.x, end.y - at.y));
+    ImGui::SameLine(0, theme.px(6));
+  }
+  ImGui::NewLine();
+  ImGui::PopFont();
 }
 
 void chip_tooltip(const UiContext& ui, const Species& species, const SpeciesFigures* figures) {
@@ -151,17 +179,15 @@ void draw_chip(const UiContext& ui, const FoodWeb& web, const Chip& chip, const 
 
 void draw_bands(const UiContext& ui, const Picture& picture, float left, float width) {
   const Theme& theme = ui.theme;
-  const std::size_t stale = first_stale_level(ui.state, picture.bands.size());
-  const auto wave = float(0.5 + 0.5 * std::sin(ImGui::GetTime() * 6));
+  const StaleStages stale = stale_now(ui.state);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (std::size_t i = 0; i < picture.bands.size(); ++i) {
     const auto [top, bottom] = picture.bands[i];
     const ImVec2 from(left - theme.px(6), top);
     const ImVec2 to(left + width + theme.px(6), bottom);
     list.AddRectFilled(from, to, colour_u32(with_alpha(theme.text, 0.04F)), theme.px(5));
-    const bool updating = i >= stale;
-    if (updating)
-      list.AddRect(from, to, colour_u32(with_alpha(theme.accent, 0.3F + 0.6F * wave)), theme.px(5), 0, theme.px(1.5F));
+    const bool updating = stale.level(int(i));
+    if (updating) list.AddRect(from, to, colour_u32(pulse(theme)), theme.px(5), 0, theme.px(1.5F));
     ImGui::PushFont(theme.small);
     const std::string title =
         (i == 0 ? std::string("Plants") : "Level " + std::to_string(i)) + (updating ? ", being computed" : "");
@@ -197,8 +223,9 @@ void draw_food_chain(const UiContext& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.theme.px(10), ui.theme.px(8)));
   if (ImGui::Begin("Food chain", &state.view.food_chain, ImGuiWindowFlags_NoSavedSettings)) {
     const std::string text = changes_text(*state.shown->web, state.changes.changes(), 5);
-    const std::size_t position = state.history.position();
-    if (position > 0) hint(ui.theme, "After '" + state.history.name(position - 1) + "': " + text);
+    const std::string& edit = state.changes.answered_edit();
+    if (!edit.empty()) hint(ui.theme, "After '" + edit + "': " + text);
+    draw_stages(ui, stale_now(state));
     draw_picture(ui, *state.shown);
     hint(ui.theme, "Bands: kilograms eaten in a year. Click a species to see its map.");
   }

@@ -5,7 +5,6 @@
 
 #include "ui/editor_actions.hpp"
 #include "ui/format.hpp"
-#include "ui/gesture_overlay.hpp"
 #include "ui/herd_day.hpp"
 #include "ui/icons.hpp"
 #include "ui/panels/herd_state_panel.hpp"
@@ -101,15 +100,39 @@ void draw_day_bar(const UiContext& ui, const PlanEdit& day, const DailyPlan* pla
 /// What to do with a stop of the list.
 enum class StopAction : int { none, earlier, later, remove };
 
-StopAction draw_stop(const UiContext& ui, const PlanEdit& day, std::size_t index, int level, bool reachable) {
+/// Earlier, later, out: in a row.
+StopAction draw_stop_buttons(const Theme& theme, bool may_go_earlier, bool may_go_later) {
+  StopAction action = StopAction::none;
+  if (ImGui::ArrowButton("earlier", ImGuiDir_Up) && may_go_earlier) action = StopAction::earlier;
+  tooltip(theme, "Go there before the stop above");
+  ImGui::SameLine(0, theme.px(2));
+  if (ImGui::ArrowButton("later", ImGuiDir_Down) && may_go_later) action = StopAction::later;
+  tooltip(theme, "Go there after the stop below");
+  ImGui::SameLine(0, theme.px(2));
+  if (icon_button(theme, "remove", theme.has_icons ? icons::close : "x", theme.muted, "Leave this stop out"))
+    action = StopAction::remove;
+  return action;
+}
+
+/// Number of the resource of a stop: the one the plan goes to, or, where the stop is being moved, the nearest.
+int node_of(const EditorState& state, const PlanEdit& day, const DailyPlan* plan, std::size_t index, int level) {
+  const bool planned = plan != nullptr && plan->stops.size() == day.stops.size() && !state.herd_day.preview;
+  return planned ? plan->stops[index].node : node_near(*state.shown, level, day.stops[index].at);
+}
+
+/// `node`: the resource of the stop.
+StopAction draw_stop(const UiContext& ui, const PlanEdit& day, std::size_t index, int level, int node, bool reachable) {
   const Theme& theme = ui.theme;
   const MapsSnapshot& maps = *ui.state.shown;
   const PlanStopEdit& stop = day.stops[index];
   StopAction action = StopAction::none;
   ImGui::PushID(int(index));
-  const float buttons = theme.px(72);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x - buttons;
+  const float room = ImGui::GetContentRegionAvail().x;
+  // The buttons come with the pointer, so that names have room.
+  const bool reached =
+      ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(at, ImVec2(at.x + room, at.y + ImGui::GetFrameHeight()));
+  const float width = room - (reached ? theme.px(72) : 0);
   if (ImGui::Selectable("##stop", false, 0, ImVec2(width, 0))) {
     ui.state.view.map.centre_x = double(stop.at.x);
     ui.state.view.map.centre_y = double(stop.at.y);
@@ -120,21 +143,18 @@ StopAction draw_stop(const UiContext& ui, const PlanEdit& day, std::size_t index
           "Click: go there, to that hour. Double-click: see it in 3D. On the map the numbered circle can be dragged to another "
           "resource");
   const std::string hours = format_clock(double(stop.arrive)) + " - " + format_clock(double(stop.leave));
-  const std::string name = std::to_string(index + 1) + "  " + resource_name(maps, level, node_near(maps, level, stop.at));
+  const std::string name = std::to_string(index + 1) + "  " + resource_name(maps, level, node);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float hours_width = ImGui::CalcTextSize(hours.c_str()).x;
   list.AddText(at, colour_u32(reachable ? theme.text : theme.attention),
                fitted_text(name, width - hours_width - theme.px(10)).c_str());
   list.AddText(ImVec2(at.x + width - hours_width - theme.px(4), at.y), colour_u32(theme.muted), hours.c_str());
   ImGui::SameLine(0, 0);
-  if (ImGui::ArrowButton("earlier", ImGuiDir_Up) && index > 0) action = StopAction::earlier;
-  tooltip(theme, "Go there before the stop above");
-  ImGui::SameLine(0, theme.px(2));
-  if (ImGui::ArrowButton("later", ImGuiDir_Down) && index + 1 < day.stops.size()) action = StopAction::later;
-  tooltip(theme, "Go there after the stop below");
-  ImGui::SameLine(0, theme.px(2));
-  if (icon_button(theme, "remove", theme.has_icons ? icons::close : "x", theme.muted, "Leave this stop out"))
-    action = StopAction::remove;
+  if (reached) {
+    action = draw_stop_buttons(theme, index > 0, index + 1 < day.stops.size());
+  } else {
+    ImGui::Dummy(ImVec2(0, ImGui::GetFrameHeight()));
+  }
   ImGui::PopID();
   return action;
 }
@@ -148,7 +168,7 @@ void draw_stops(const UiContext& ui, const PlanEdit& day, const DailyPlan* plan)
     const bool reachable =
         plan == nullptr || !plan->edited ||
         std::find(plan->unreachable_stops.begin(), plan->unreachable_stops.end(), int(i)) == plan->unreachable_stops.end();
-    const StopAction wanted = draw_stop(ui, day, i, level, reachable);
+    const StopAction wanted = draw_stop(ui, day, i, level, node_of(state, day, plan, i, level), reachable);
     if (wanted == StopAction::none) continue;
     action = wanted;
     chosen = i;
@@ -213,35 +233,25 @@ void draw_herd_panel(const UiContext& ui) {
   tooltip(ui.theme, "Give the computed day back; can be undone");
 }
 
-void draw_herd_day(const UiContext& ui, const ProjectCell& project) {
+void draw_herd_day(const UiContext& ui, const ViewPen& pen) {
   const EditorState& state = ui.state;
   const auto day = chosen_day(state);
   if (!day) return;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
   if (const DailyPlan* plan = chosen_plan(state)) {
-    const auto way_step = float(12 / state.shown->terrain().cell_size);
-    for (const bool under : {true, false}) {
-      for (std::size_t i = 1; i < plan->way.size(); ++i) {
-        // In short pieces: in 3D they lie on the ground.
-        std::optional<ImVec2> last;
-        for (const PathPoint& place : along_ground(plan->way[i - 1].at, plan->way[i].at, way_step)) {
-          const auto at = project(place);
-          if (last && at) {
-            list.AddLine(*last, *at, under ? IM_COL32(20, 22, 24, 170) : IM_COL32(255, 255, 255, 220),
-                         ui.theme.px(under ? 4.0F : 1.8F));
-          }
-          last = at;
-        }
-      }
-    }
+    std::vector<PathPoint> way;
+    way.reserve(plan->way.size());
+    for (const auto& point : plan->way) way.push_back(point.at);
+    pen.line(way, {IM_COL32(255, 255, 255, 220), 1.8F, IM_COL32(20, 22, 24, 170), 1.1F});
   }
+  ImDrawList& list = *ImGui::GetWindowDrawList();
   for (std::size_t i = 0; i < day->stops.size(); ++i) {
-    const auto at = project(day->stops[i].at);
+    const PathPoint cell = day->stops[i].at;
+    const auto at = pen.place(cell);
     if (!at) continue;
     const bool held = state.herd_day.held_stop == int(i);
     const float r = ui.theme.px(held ? 12 : 10);
-    list.AddCircleFilled(*at, r + ui.theme.px(1.5F), IM_COL32(20, 22, 24, 200));
-    list.AddCircleFilled(*at, r, colour_u32(ui.theme.accent));
+    list.AddCircleFilled(*at, r + ui.theme.px(1.5F), mark_colour(pen, cell, IM_COL32(20, 22, 24, 200)));
+    list.AddCircleFilled(*at, r, mark_colour(pen, cell, colour_u32(ui.theme.accent)));
     const std::string number = std::to_string(i + 1);
     const ImVec2 size = ImGui::CalcTextSize(number.c_str());
     list.AddText(ImVec2(at->x - size.x / 2, at->y - size.y / 2), IM_COL32(20, 22, 24, 255), number.c_str());

@@ -57,9 +57,7 @@ void draw_herd_state(const UiContext& ui, const DailyPlan& plan) {
     const bool walks = outlook.doing == "walking";
     const std::string text =
         (walks ? "On its way to " : "At ") + outlook.where + (walks ? ", there at " : " until ") + format_clock(outlook.until);
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
+    wrapped(ui.theme.text, text);
   }
   draw_ways(ui);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.theme.px(6), ui.theme.px(2)));

@@ -3,6 +3,7 @@
 #include <imgui_stdlib.h>
 
 #include <cmath>
+#include <utility>
 
 #include "ui/brush_stamps.hpp"
 #include "ui/editor_actions.hpp"
@@ -37,7 +38,7 @@ bool draw_entry(const UiContext& ui, const BrushPreset& preset) {
 
 void draw_own(const UiContext& ui, std::optional<BrushPreset>& chosen) {
   const std::vector<BrushPreset>& own = own_presets(ui.state);
-  if (own.empty()) return;
+  if (own.empty() && !ui.state.thrown_preset) return;
   ImGui::Separator();
   ImGui::TextDisabled("Your own");
   std::string removed;
@@ -45,11 +46,15 @@ void draw_own(const UiContext& ui, std::optional<BrushPreset>& chosen) {
     ImGui::PushID(preset.name.c_str());
     if (draw_entry(ui, preset)) chosen = preset;
     ImGui::SameLine(ui.theme.px(256));
-    if (icon_button(ui.theme, "remove", ui.theme.has_icons ? icons::trash : "x", ui.theme.muted, "Throw this brush away"))
+    if (icon_button(ui.theme, "remove", ui.theme.has_icons ? icons::trash : "x", ui.theme.muted,
+                    "Throw this brush away; it can be taken back"))
       removed = preset.name;
     ImGui::PopID();
   }
   if (!removed.empty()) remove_preset(ui.state, removed);
+  if (!ui.state.thrown_preset) return;
+  const std::string back = "Take back " + ui.state.thrown_preset->second.name;
+  if (ImGui::Button(back.c_str(), ImVec2(ui.theme.px(270), 0))) take_back_preset(ui.state);
 }
 
 void draw_keep(const UiContext& ui) {
@@ -74,7 +79,8 @@ void draw_keep(const UiContext& ui) {
 void draw_preset_choice(const UiContext& ui) {
   EditorState& state = ui.state;
   const std::string label = state.paint.preset.empty() ? "Brushes ..." : state.paint.preset;
-  if (ImGui::Button((label + "##presets").c_str(), ImVec2(-1, 0))) ImGui::OpenPopup("presets");
+  const bool asked = std::exchange(state.paint.wants_presets, false);
+  if (ImGui::Button((label + "##presets").c_str(), ImVec2(-1, 0)) || asked) ImGui::OpenPopup("presets");
   tooltip(ui.theme, "Brushes to start from, and your own", ui.commands.keys("brush.presets"));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.theme.px(10), ui.theme.px(10)));
   if (ImGui::BeginPopup("presets")) {

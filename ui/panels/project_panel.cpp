@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "ui/editor_actions.hpp"
+#include "ui/exploring.hpp"
 #include "ui/format.hpp"
 #include "ui/icons.hpp"
 #include "ui/panels/layers_panel.hpp"
@@ -65,23 +66,43 @@ void draw_history_panel(const UiContext& ui) {
   hint(ui.theme, "Undo holds " + format_bytes(state.history.bytes()) + " of " + format_bytes(state.history.budget()));
 }
 
+namespace {
+
+/// One warning; a click goes to its place and species.
+void draw_warning(const UiContext& ui, const Warning& warning) {
+  EditorState& state = ui.state;
+  const Theme& theme = ui.theme;
+  const float left = theme.has_icons ? ImGui::GetCursorPosX() + theme.px(22) : ImGui::GetCursorPosX();
+  if (theme.has_icons) {
+    ImGui::TextColored(theme.attention, "%s", icons::warning);
+    ImGui::SameLine(left);
+  }
+  ImGui::BeginGroup();
+  wrapped(theme.text, warning.text);
+  ImGui::EndGroup();
+  if (!warning.place && warning.species < 0) return;
+  if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  tooltip(theme, warning.place ? "Click: go there" : "Click: choose the species");
+  if (!ImGui::IsItemHovered() || !ImGui::IsMouseReleased(ImGuiMouseButton_Left)) return;
+  if (warning.species >= 0) select_species(state, warning.species);
+  if (warning.place) show_place(state, *warning.place);
+}
+
+}  // namespace
+
 void draw_warnings_panel(const UiContext& ui) {
   const EditorState& state = ui.state;
   if (!state.shown) return;
   const std::size_t count = state.shown->warnings.size();
   heading(ui.theme, count == 0 ? "Warnings: none" : "Warnings: " + std::to_string(count));
-  for (const std::string& warning : state.shown->warnings) {
-    if (ui.theme.has_icons) {
-      ImGui::TextColored(ui.theme.attention, "%s", icons::warning);
-      ImGui::SameLine();
-    }
-    ImGui::TextWrapped("%s", warning.c_str());
+  // A click may open another view of them: they are read from what was shown.
+  const std::shared_ptr<const MapsSnapshot> shown = state.shown;
+  for (std::size_t i = 0; i < count; ++i) {
+    ImGui::PushID(int(i));
+    draw_warning(ui, shown->warnings[i]);
+    ImGui::PopID();
   }
-  if (!state.shown->status) {
-    ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.loss);
-    ImGui::TextWrapped("%s", state.shown->status.error().message.c_str());
-    ImGui::PopStyleColor();
-  }
+  if (!state.shown->status) wrapped(ui.theme.loss, state.shown->status.error().message);
 }
 
 void draw_project_panel(const UiContext& ui) {

@@ -31,6 +31,14 @@ void draw_selection_panel(const UiContext& ui) {
   ImGui::SameLine(0, gap);
   command_text_button(ui, "paint.fill", "Fill", half);
   command_text_button(ui, "paint.restore", "Take paint off", half);
+  ImGui::SameLine(0, gap);
+  command_text_button(ui, "lock.add", "Lock", half);
+  if (state.document.locked_area) {
+    command_text_button(ui, "lock.subtract", "Unlock", half);
+    ImGui::SameLine(0, gap);
+    command_text_button(ui, "lock.nothing", "Unlock all", half);
+    hint(ui.theme, "The hatched ground is locked: no edit changes paint there.");
+  }
   hint(ui.theme, "Drag: select. Shift adds, Ctrl takes away, both keep what is in both.");
 }
 

@@ -4,6 +4,7 @@
 #include "ui/editor_actions.hpp"
 #include "ui/format.hpp"
 #include "ui/icons.hpp"
+#include "ui/layer_actions.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/show_places.hpp"
 
@@ -83,8 +84,7 @@ void draw_lock(const UiContext& ui, const Species& species, ImVec2 at, bool is_l
   if (!icon_button(theme, "lock", icon, colour,
                    is_locked ? "Locked: no brush changes it. Click to unlock" : "Lock against paint"))
     return;
-  std::set<std::string>& locks = ui.state.locked_species;
-  if (locks.erase(species.name) == 0) locks.insert(species.name);
+  set_species_locked(ui.state, species, !is_locked);
 }
 
 /// What stands under the name: numbers of an animal, the family of a plant.
@@ -97,59 +97,92 @@ std::string second_line(const Species& species, const SpeciesFigures* figures) {
   return text;
 }
 
-void draw_row(const UiContext& ui, const FoodWeb& web, int number, float most_share) {
+/// A row of the list: what it is about and where it lies.
+struct SpeciesRow {
+  const Species& species;
+  const SpeciesFigures* figures;  ///< null while they are not known
+  int number;
+  bool selected;
+  bool shown;
+  ImVec2 at;
+  ImVec2 size;
+};
+
+/// The whole row as a button: a click selects, with Ctrl together with others.
+void handle_row(const UiContext& ui, const SpeciesRow& row) {
   EditorState& state = ui.state;
-  const Theme& theme = ui.theme;
-  const Species& species = web.species[std::size_t(number)];
-  const SpeciesFigures* figures = std::size_t(number) < state.figures.size() ? &state.figures[std::size_t(number)] : nullptr;
-  const bool selected = state.selected_species == number || state.also_selected.contains(number);
-  const bool is_locked = state.locked_species.contains(species.name);
-  const bool shown = visible(state, number);
-  const float height = theme.px(42);
-  const float width = ImGui::GetContentRegionAvail().x;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::PushID(number);
-  if (ImGui::Selectable("##row", selected, ImGuiSelectableFlags_AllowItemOverlap, ImVec2(width, height))) {
+  if (ImGui::Selectable("##row", row.selected, ImGuiSelectableFlags_AllowItemOverlap, row.size)) {
     if (ImGui::GetIO().KeyCtrl) {
-      toggle_species(state, number);
+      toggle_species(state, row.number);
     } else {
-      select_species(state, number);
+      select_species(state, row.number);
     }
   }
-  if (row_double_clicked()) show_species(state, number);
-  row_tooltip(ui, species, figures);
+  if (row_double_clicked()) show_species(state, row.number);
+  row_tooltip(ui, row.species, row.figures);
   ImGui::SetItemAllowOverlap();
-  ImGui::SetCursorScreenPos(ImVec2(at.x + theme.px(2), at.y + theme.px(3)));
-  const char* eye = theme.has_icons ? (shown ? icons::eye : icons::eye_closed) : (shown ? "o" : "-");
-  if (icon_button(theme, "eye", eye, shown ? theme.muted : with_alpha(theme.muted, 0.5F),
-                  shown ? "Hide on the map and in 3D" : "Show again")) {
-    set_visible(state, web, number, !shown);
+}
+
+void draw_row_buttons(const UiContext& ui, const FoodWeb& web, const SpeciesRow& row) {
+  EditorState& state = ui.state;
+  const Theme& theme = ui.theme;
+  ImGui::SetCursorScreenPos(ImVec2(row.at.x + theme.px(2), row.at.y + theme.px(3)));
+  const char* eye = theme.has_icons ? (row.shown ? icons::eye : icons::eye_closed) : (row.shown ? "o" : "-");
+  if (icon_button(theme, "eye", eye, row.shown ? theme.muted : with_alpha(theme.muted, 0.5F),
+                  row.shown ? "Hide on the map and in 3D" : "Show again")) {
+    set_visible(state, web, row.number, !row.shown);
   }
-  draw_lock(ui, species, ImVec2(at.x + theme.px(3), at.y + theme.px(23)), is_locked);
+  draw_lock(ui, row.species, ImVec2(row.at.x + theme.px(3), row.at.y + theme.px(23)),
+            species_locked(state.document, row.species));
+}
+
+/// Name, amount, family or herds, and shares.
+void draw_row_texts(const UiContext& ui, const SpeciesRow& row, float most_share) {
+  const Theme& theme = ui.theme;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const float chip = theme.px(28);
-  list.AddRectFilled(ImVec2(at.x + chip, at.y + theme.px(6)), ImVec2(at.x + chip + theme.px(6), at.y + height - theme.px(6)),
-                     colour_u32(to_imgui(species.colour)), theme.px(3));
-  const float left = at.x + theme.px(42);
-  const std::string amount = amount_text(species, figures);
+  const float chip = row.at.x + theme.px(28);
+  list.AddRectFilled(ImVec2(chip, row.at.y + theme.px(6)), ImVec2(chip + theme.px(6), row.at.y + row.size.y - theme.px(6)),
+                     colour_u32(to_imgui(row.species.colour)), theme.px(3));
+  const float left = row.at.x + theme.px(42);
+  const float right = row.at.x + row.size.x - theme.px(6);
+  const float top = row.at.y + theme.px(3);
+  const std::string amount = amount_text(row.species, row.figures);
   const float amount_width = ImGui::CalcTextSize(amount.c_str()).x;
-  const float right = at.x + width - theme.px(6);
-  const float icon_room = selected || painted_on(state, species) ? theme.px(22) : 0;
-  const std::string name = fitted_text(display_name(species), right - amount_width - theme.px(8) - icon_room - left);
-  list.AddText(ImVec2(left, at.y + theme.px(3)), colour_u32(shown ? theme.text : theme.muted), name.c_str());
+  const bool painted = painted_on(ui.state, row.species);
+  const float icon_room = row.selected || painted ? theme.px(22) : 0;
+  const std::string name = fitted_text(display_name(row.species), right - amount_width - theme.px(8) - icon_room - left);
+  list.AddText(ImVec2(left, top), colour_u32(row.shown ? theme.text : theme.muted), name.c_str());
   if (icon_room > 0 && theme.has_icons) {
-    list.AddText(ImVec2(left + ImGui::CalcTextSize(name.c_str()).x + theme.px(7), at.y + theme.px(3)),
-                 colour_u32(painted_on(state, species) ? theme.attention : theme.accent), icons::brush);
+    list.AddText(ImVec2(left + ImGui::CalcTextSize(name.c_str()).x + theme.px(7), top),
+                 colour_u32(painted ? theme.attention : theme.accent), icons::brush);
   }
-  list.AddText(ImVec2(right - amount_width, at.y + theme.px(3)), colour_u32(theme.text), amount.c_str());
+  list.AddText(ImVec2(right - amount_width, top), colour_u32(theme.text), amount.c_str());
   const float bar = std::min(theme.px(84), (right - left) * 0.4F);
   ImGui::PushFont(theme.small);
-  const std::string latin = fitted_text(second_line(species, figures), right - bar - theme.px(8) - left);
-  list.AddText(ImVec2(left, at.y + theme.px(22)), colour_u32(theme.muted), latin.c_str());
+  const std::string latin = fitted_text(second_line(row.species, row.figures), right - bar - theme.px(8) - left);
+  list.AddText(ImVec2(left, row.at.y + theme.px(22)), colour_u32(theme.muted), latin.c_str());
   ImGui::PopFont();
-  if (figures != nullptr)
-    draw_shares(theme, ImVec2(right - bar, at.y + theme.px(28)), ImVec2(bar, theme.px(5)), *figures, most_share);
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + height + theme.px(1)));
+  if (row.figures == nullptr) return;
+  draw_shares(theme, ImVec2(right - bar, row.at.y + theme.px(28)), ImVec2(bar, theme.px(5)), *row.figures, most_share);
+}
+
+void draw_row(const UiContext& ui, const FoodWeb& web, int number, float most_share) {
+  const EditorState& state = ui.state;
+  const auto index = std::size_t(number);
+  const bool selected = state.selected_species == number || state.also_selected.contains(number);
+  const ImVec2 size(ImGui::GetContentRegionAvail().x, ui.theme.px(42));
+  const SpeciesRow row{web.species[index],
+                       index < state.figures.size() ? &state.figures[index] : nullptr,
+                       number,
+                       selected,
+                       visible(state, number),
+                       ImGui::GetCursorScreenPos(),
+                       size};
+  ImGui::PushID(number);
+  handle_row(ui, row);
+  draw_row_buttons(ui, web, row);
+  draw_row_texts(ui, row, most_share);
+  ImGui::SetCursorScreenPos(ImVec2(row.at.x, row.at.y + size.y + ui.theme.px(1)));
   ImGui::Dummy(ImVec2(0, 0));
   ImGui::PopID();
 }
@@ -179,67 +212,6 @@ void draw_totals(const UiContext& ui, const std::vector<int>& species) {
   readout(ui.theme, "All together", format_count(std::round(animals)) + " animals in " + format_count(herds) + " herds");
 }
 
-/// Sum of what a level's species ask for, as weights.
-double asked_by_level(const FoodWeb& web, int level, const std::string& key) {
-  double sum = 0;
-  for (const int number : web.levels[std::size_t(level)]) {
-    const auto& proportions = web.species[std::size_t(number)].proportions;
-    const auto asked = proportions.find(key);
-    if (asked != proportions.end()) sum += asked->second;
-  }
-  return sum;
-}
-
-/// Switch of the level and, for the selected species of it, its desired share.
-void draw_proportions(const UiContext& ui, const FoodWeb& web, int level) {
-  EditorState& state = ui.state;
-  const auto found = state.document.use_proportions.find(level);
-  bool use = found == state.document.use_proportions.end() || found->second;
-  ImGui::PushID(level);
-  if (ImGui::Checkbox("Aim at desired shares", &use)) {
-    change_document(state, use ? "Aim at desired shares" : "Compete freely",
-                    [&](Document& document) { document.use_proportions[level] = use; });
-  }
-  tooltip(ui.theme, "On: the level aims at its species' desired shares. Off: the fittest take what they can.");
-  const int selected = state.selected_species;
-  const bool of_level = selected >= 0 && selected < int(web.level.size()) && web.level[std::size_t(selected)] == level;
-  // The row is there all the time: a list that moved under the pointer would take the second half of a double click.
-  if (use && !of_level) {
-    float none = 0;
-    ImGui::BeginDisabled();
-    labelled_slider(ui.theme, "Desired share", none, 0, 1, "choose a species");
-    ImGui::EndDisabled();
-  }
-  if (use && of_level) {
-    const Species& species = web.species[std::size_t(selected)];
-    const std::string key = species.proportions.contains(state.document.climate.name) ? state.document.climate.name : "default";
-    const auto asked = species.proportions.find(key);
-    const double own = asked == species.proportions.end() ? 0 : asked->second;
-    const double others = asked_by_level(web, level, key) - own;
-    float share = state.dragged_value.value_or(float(own));
-    const bool none = asked == species.proportions.end() && !state.dragged_value;
-    const double of_all = others + double(share) > 0 ? double(share) / (others + double(share)) : 0;
-    // Shares are weights that are compared after they have been brought to a sum of 1.
-    const auto most = float(std::max(others + own, 1.0));
-    labelled_slider(ui.theme, ("Desired share: " + display_name(species)).c_str(), share, 0, most,
-                    none ? "none asked" : format_percent(of_all));
-    if (ImGui::IsItemActive()) {
-      state.dragged_value = share;
-    } else if (state.dragged_value) {
-      const double edited = *state.dragged_value;
-      state.dragged_value.reset();
-      change_document(state, "Desired share of " + display_name(species), [&](Document& document) {
-        auto list = std::make_shared<std::vector<Species>>(*document.species);
-        for (Species& each : *list) {
-          if (each.name == species.name) each.proportions[key] = edited;
-        }
-        document.species = std::move(list);
-      });
-    }
-  }
-  ImGui::PopID();
-}
-
 }  // namespace
 
 void draw_species_list(const UiContext& ui, int level) {
@@ -259,7 +231,7 @@ void draw_plants_panel(const UiContext& ui) {
     hint(ui.theme, "The species are being prepared");
     return;
   }
-  draw_proportions(ui, *web, 0);
+  draw_desired_shares(ui, *web, 0);
   draw_species_list(ui, 0);
 }
 
@@ -273,7 +245,7 @@ void draw_animals_panel(const UiContext& ui) {
   for (int level = 1; level < web->level_count(); ++level) {
     heading(ui.theme, level == 1 ? "Level 1: plant eaters" : "Level " + std::to_string(level));
     draw_totals(ui, web->levels[std::size_t(level)]);
-    draw_proportions(ui, *web, level);
+    draw_desired_shares(ui, *web, level);
     draw_species_list(ui, level);
   }
 }

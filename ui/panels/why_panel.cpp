@@ -11,7 +11,7 @@ namespace {
 
 void draw_answer(const Theme& theme, const Explanation& answer) {
   ImGui::PushFont(theme.bold);
-  ImGui::TextWrapped("%s", answer.headline.c_str());
+  wrapped(theme.text, answer.headline);
   ImGui::PopFont();
   if (answer.fitness >= 0) readout(theme, "Fitness before competition", format_percent(answer.fitness));
   for (const std::string& detail : answer.details) hint(theme, detail);
