@@ -57,26 +57,6 @@ Result<std::unique_ptr<AnimalRenderer>> AnimalRenderer::create() {
   return renderer;
 }
 
-void AnimalRenderer::set_world(const MapsSnapshot& maps, std::shared_ptr<const ShoreMap> shore, const PlantPlacement& trees) {
-  const bool same_details = surroundings_ && shore_ == shore && surroundings_->trees_of() == trees.snapshot();
-  const bool same = world_ && same_details && world_->plans == maps.plans && world_->graph == maps.graph &&
-                    world_->web == maps.web && world_->ground.terrain == maps.surface() &&
-                    world_->ground.hydrology == maps.hydrology && world_->ground.derivatives == maps.derivatives &&
-                    world_->levels == maps.animals && world_->seed == maps.document.seed;
-  if (same) return;
-  if (!same_details) {
-    shore_ = shore;
-    surroundings_ = std::make_shared<const AnimalSurroundings>(std::move(shore), maps.terrain().cell_size, trees, surroundings_);
-  }
-  world_ = herd_world(maps, surroundings_);
-  wading_ = AnimalWading(world_);
-  if (world_ && simulation_) {
-    simulation_->follow(world_);
-  } else {
-    simulation_ = world_ ? std::make_unique<HerdSimulation>(world_) : nullptr;
-  }
-}
-
 /// Herds that may be in sight, and how near they are.
 std::vector<HerdRequest> AnimalRenderer::herds_near(const LandscapeOptions& options, const glm::dvec3& eye) const {
   std::vector<HerdRequest> requests;
@@ -170,8 +150,13 @@ void AnimalRenderer::prepare(const MapsSnapshot& maps, const LandscapeOptions& o
     make_models(*web_);
   }
   set_month(northern_month(options.month, maps.terrain().latitude));
-  const std::vector<HerdRequest> requests = herds_near(options, eye);
-  const std::vector<std::vector<HerdAnimal>> herds = simulation_->animals(requests, options.hour);
+  if (!change_) {
+    placed_ = {herds_near(options, eye), {}, options.hour};
+    placed_.herds = simulation_->animals(placed_.requests, options.hour);
+    bytes_ = simulation_->bytes();
+  }
+  const std::vector<HerdRequest>& requests = placed_.requests;
+  const std::vector<std::vector<HerdAnimal>>& herds = placed_.herds;
   seen_.resize(species_.size());
   casting_.resize(species_.size());
   for (std::size_t r = 0; r < requests.size(); ++r) {
@@ -276,7 +261,12 @@ DrawCount AnimalRenderer::draw_shades(double quality, float strength) const {
 
 std::optional<AnimalAt> AnimalRenderer::animal(int plan, int member, double hour, const Grid<float>& surface) {
   if (!simulation_ || plan < 0 || std::size_t(plan) >= world_->plans->size()) return std::nullopt;
-  const std::vector<HerdAnimal> herd = simulation_->animals(plan, hour);
+  std::vector<HerdAnimal> herd;
+  if (!change_) {
+    herd = simulation_->animals(plan, hour);
+  } else if (const auto found = std::ranges::find(placed_.requests, plan, &HerdRequest::plan); found != placed_.requests.end()) {
+    herd = placed_.herds[std::size_t(found - placed_.requests.begin())];
+  }
   if (member < 0 || std::size_t(member) >= herd.size()) return std::nullopt;
   AnimalAt at;
   place(herd[std::size_t(member)], plan, member, surface, at);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <future>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -29,7 +30,10 @@ class AnimalRenderer {
 
   /// Takes what animals move on; `shore` (may be null) tells where water is drawn, `trees` (without a snapshot: none) where
   /// trunks stand. Call before draw and animal; costs nothing when nothing changed. Herds around which nothing changed go on.
-  void set_world(const MapsSnapshot& maps, std::shared_ptr<const ShoreMap> shore, const PlantPlacement& trees);
+  /// Unless it has to be `at_once`, another thread finds where the herds are now, and until it has animals stay where they were.
+  void set_world(const MapsSnapshot& maps, std::shared_ptr<const ShoreMap> shore, const PlantPlacement& trees, bool at_once);
+  /// Whether animals are where the last world has them.
+  [[nodiscard]] bool settled() const { return change_ == nullptr && !behind_; }
   /// Places the animals of an hour that the camera sees, and those whose shadows `light` (may be null) sees. `surface` is the
   /// ground as it is drawn; animals stand on it. Call before the draws of a frame.
   void prepare(const MapsSnapshot& maps, const LandscapeOptions& options, const glm::dvec3& eye, const Frustum& frustum,
@@ -44,7 +48,7 @@ class AnimalRenderer {
   [[nodiscard]] std::optional<AnimalAt> animal(int plan, int member, double hour, const Grid<float>& surface);
 
   /// Memory of the simulated runs of herds, and the most that is kept.
-  [[nodiscard]] std::size_t bytes() const { return simulation_ ? simulation_->bytes() : 0; }
+  [[nodiscard]] std::size_t bytes() const { return bytes_; }
   [[nodiscard]] static std::size_t most_bytes() { return HerdSimulation::most_bytes; }
 
  private:
@@ -83,7 +87,26 @@ class AnimalRenderer {
     Buffer shade_instances;
   };
 
+  /// A change of the world in the hands of another thread, and with it the simulation.
+  struct Change {
+    std::shared_ptr<const ShoreMap> shore;
+    std::shared_ptr<const AnimalSurroundings> surroundings;
+    std::shared_ptr<const HerdWorld> world;
+    std::future<void> done;
+  };
+  /// Herds as they were placed last.
+  struct Placed {
+    std::vector<HerdRequest> requests;
+    std::vector<std::vector<HerdAnimal>> herds;
+    double hour = 0;
+  };
+
   AnimalRenderer() = default;
+  [[nodiscard]] bool moves_on(const MapsSnapshot& maps, bool same_details) const;
+  /// Takes over what a change has found; false where it is still at it and need not be waited for.
+  bool finish_change(bool wait);
+  void change_world(const MapsSnapshot& maps, std::shared_ptr<const ShoreMap> shore, const PlantPlacement& trees,
+                    bool same_details);
   void make_models(const FoodWeb& web);
   void make_model(const AnimalMesh& mesh, Model& model) const;
   void make_shade(SpeciesModels& species) const;
@@ -109,6 +132,11 @@ class AnimalRenderer {
   std::shared_ptr<const AnimalSurroundings> surroundings_;
   AnimalWading wading_;
   std::unique_ptr<HerdSimulation> simulation_;
+  Placed placed_;
+  std::size_t bytes_ = 0;
+  std::unique_ptr<Change> change_;
+  /// Whether there is a newer world than the one that is shown or being changed to.
+  bool behind_ = false;
   std::vector<AnimalAt> drawn_;
   /// By species: those in sight, by level of detail, and those that throw shadows into each cascade.
   std::vector<std::array<std::vector<Instance>, levels_of_detail>> seen_;

@@ -22,8 +22,8 @@ namespace {
 
 /// Time of a frame that may go into building plants, ms: a share of what frames take, so that a slow renderer's pictures are
 /// whole as soon as a fast one's.
-constexpr double least_plant_milliseconds = 8;
-constexpr double most_plant_milliseconds = 40;
+constexpr double least_plant_milliseconds = 4;
+constexpr double most_plant_milliseconds = 8;
 constexpr double plant_share = 0.4;
 /// Quality from which on single trees and animals throw shadows.
 constexpr float shadow_quality = 2;
@@ -90,13 +90,15 @@ struct LandscapeRenderer::State {
   bool plants_complete = true;
   /// bring_in() was called since the last draw.
   bool brought_in = false;
+  /// Whether the picture is one of a window that must keep its pace.
+  bool in_window = false;
   /// The ground that was drawn last.
   std::shared_ptr<const GroundPicture> drawn_ground;
   glm::vec2 drawn_planes{1, 1000};
 
   FrameUniforms frame(const Camera& camera, const LandscapeOptions& options, const Daylight& light, int width, int height);
   void follow_ground();
-  void follow_animals();
+  void follow_animals(bool at_once);
   /// Prepares the animals, and draws what the light sees where shadows are shown. True where they are.
   bool draw_shadows(const Camera& camera, const LandscapeOptions& options, const Daylight& light, const Frustum& frustum,
                     bool with_plants);
@@ -168,11 +170,11 @@ void LandscapeRenderer::State::follow_ground() {
 }
 
 /// Animals drink where water is drawn, and walk around the trunks that are drawn.
-void LandscapeRenderer::State::follow_animals() {
+void LandscapeRenderer::State::follow_animals(bool at_once) {
   const bool drawn = planted && planted->lines && planted->of.snapshot->hydrology == snapshot->hydrology &&
                      same_extent(planted->terrain(), snapshot->terrain());
   const bool grown = planted && same_extent(planted->terrain(), snapshot->terrain());
-  animals->set_world(*snapshot, drawn ? planted->lines->shore : nullptr, grown ? plants->placement() : PlantPlacement());
+  animals->set_world(*snapshot, drawn ? planted->lines->shore : nullptr, grown ? plants->placement() : PlantPlacement(), at_once);
 }
 
 FrameUniforms LandscapeRenderer::State::frame(const Camera& camera, const LandscapeOptions& options, const Daylight& light,
@@ -215,7 +217,7 @@ bool LandscapeRenderer::State::draw_shadows(const Camera& camera, const Landscap
   const Terrain& ground = snapshot->terrain();
   const double above = std::max(0.5, camera.position.z - ground_height(ground, camera.position.x, camera.position.y));
   const ShadowView view = shadow_view(camera, above, light.light_direction, light.shadows);
-  follow_animals();
+  follow_animals(!in_window);
   animals->prepare(*snapshot, options, camera.position, frustum, terrain->surface(), drawn ? &view : nullptr);
   if (!drawn) return false;
   const DrawnElsewhere elsewhere(shadow_texels, shadow_texels);
@@ -276,7 +278,7 @@ bool LandscapeRenderer::bring_in(const LandscapeOptions& options) {
                                                  daylight(ground.latitude, options.month, options.hour).light_direction);
   state.follow_ground();
   state.brought_in = true;
-  return state.drawn_ground != state.terrain->shown() || !state.plants_complete;
+  return state.drawn_ground != state.terrain->shown() || !state.plants_complete || !state.animals->settled();
 }
 
 void LandscapeRenderer::draw(const Camera& camera, const LandscapeOptions& options, int width, int height) {
@@ -295,6 +297,7 @@ void LandscapeRenderer::draw(const Camera& camera, const LandscapeOptions& optio
   glClearColor(0.45F, 0.5F, 0.55F, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   if (!state.snapshot || width <= 0 || height <= 0) return;
+  state.in_window = state.brought_in;
   if (!state.brought_in) bring_in(options);
   state.brought_in = false;
   state.draw_picture(camera, options, width, height);
@@ -327,7 +330,9 @@ void LandscapeRenderer::finish_loading(const Camera& camera, const LandscapeOpti
   if (options.plants) state_->plants->finish_loading(plant_look(options), camera.position);
 }
 
-bool LandscapeRenderer::complete() const { return state_->ground_complete && state_->plants_complete; }
+bool LandscapeRenderer::complete() const {
+  return state_->ground_complete && state_->plants_complete && state_->animals->settled();
+}
 
 const LandscapeStatistics& LandscapeRenderer::statistics() const { return state_->statistics; }
 
@@ -339,7 +344,7 @@ const PlantPlacement& LandscapeRenderer::plants() const { return state_->plants-
 
 std::optional<AnimalAt> LandscapeRenderer::animal(int plan, int member, double hour) {
   if (!state_->snapshot || !state_->terrain->ready()) return std::nullopt;
-  state_->follow_animals();
+  state_->follow_animals(!state_->in_window);
   return state_->animals->animal(plan, member, hour, state_->terrain->surface());
 }
 

@@ -10,10 +10,10 @@ namespace biotope {
 
 namespace {
 
-/// Within this distance a change is filled in at once, m.
-constexpr double at_once_reach = 320;
-/// Blocks that are built side by side between two looks at the clock.
-constexpr std::ptrdiff_t blocks_at_once = 8;
+/// Within this distance blocks that changed come before those that were never there, m.
+constexpr double changed_first_reach = 320;
+/// Blocks that are asked for at a time: few enough to turn soon to what a camera that moved on wants.
+constexpr std::size_t most_asked = 96;
 
 /// True when the plants of two webs stand by the same rules, so that blocks of one are good for the other.
 bool same_plants(const MapsSnapshot& a, const MapsSnapshot& b) {
@@ -35,9 +35,12 @@ void PlantBlocks::set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot, std
   const bool kept = before && same_extent(before->terrain(), snapshot_->terrain()) &&
                     before->document.seed == snapshot_->document.seed && same_plants(*before, *snapshot_) &&
                     before->cover.size() == snapshot_->cover.size();
+  for (PlantBlockMaker& maker : makers_) maker.stop();
+  made_before_change_.fill(true);
   if (kept) {
     mark_changed(ground_before);
   } else {
+    made_elsewhere_.fill(true);
     blocks_ = {};
   }
 }
@@ -93,46 +96,59 @@ std::vector<std::pair<int, int>> PlantBlocks::missing(Stratum stratum, double x,
   return out;
 }
 
-void PlantBlocks::fill(Stratum stratum, std::pair<int, int> place, PlantBlock& block, std::uint32_t version) const {
-  block.plants = placement_.block(stratum, place.second, place.first);
-  if (stratum == Stratum::herb) block.undergrowth = placement_.undergrowth(place.second, place.first);
-  block.stale = false;
-  block.version = version;
-  block.low = 1e9F;
-  block.high = -1e9F;
-  for (const auto* list : {&block.plants, &block.undergrowth}) {
-    for (const PlantInstance& plant : *list) {
-      block.low = std::min(block.low, plant.z);
-      block.high = std::max(block.high, plant.z);
-    }
+std::vector<std::pair<int, int>> PlantBlocks::wanted(Stratum stratum, double x, double y, float reach) const {
+  std::vector<std::pair<int, int>> places = missing(stratum, x, y, reach);
+  const double side = PlantPlacement::block_side(stratum);
+  const Map& blocks = blocks_[std::size_t(stratum)];
+  std::stable_partition(places.begin(), places.end(), [&](const auto& place) {
+    return blocks.contains(place) &&
+           std::hypot((place.second + 0.5) * side - x, (place.first + 0.5) * side - y) < changed_first_reach;
+  });
+  return places;
+}
+
+void PlantBlocks::take_made(Stratum stratum, std::chrono::steady_clock::time_point until) {
+  const auto s = std::size_t(stratum);
+  for (auto& [place, made] : makers_[s].take(until)) {
+    if (made_elsewhere_[s]) continue;
+    PlantBlock& block = blocks_[s][place];
+    const bool changed_again = made_before_change_[s] && block.stale;
+    block = std::move(made);
+    block.version = ++versions_;
+    block.stale = changed_again;
   }
 }
 
-bool PlantBlocks::build(Stratum stratum, double x, double y, float reach, std::chrono::steady_clock::time_point until,
-                        std::chrono::steady_clock::time_point changed_until) {
+bool PlantBlocks::build(Stratum stratum, double x, double y, float reach, std::chrono::steady_clock::time_point until) {
   if (!snapshot_) return true;
-  auto wanted = missing(stratum, x, y, reach);
-  whole_to_[std::size_t(stratum)] = reach;
-  if (wanted.empty()) return true;
-  drop_far(stratum, x, y, reach);
-  const double side = PlantPlacement::block_side(stratum);
-  const Map& blocks = blocks_[std::size_t(stratum)];
-  const auto others = std::stable_partition(wanted.begin(), wanted.end(), [&](const auto& place) {
-    return blocks.contains(place) && std::hypot((place.second + 0.5) * side - x, (place.first + 0.5) * side - y) < at_once_reach;
-  });
-  for (auto place = wanted.begin(); place != wanted.end();) {
-    const bool changed = place < others;
+  const auto s = std::size_t(stratum);
+  whole_to_[s] = reach;
+  while (true) {
+    take_made(stratum, until);
+    std::vector<std::pair<int, int>> places = wanted(stratum, x, y, reach);
     const bool full = bytes() >= most_bytes_;
-    if (full || std::chrono::steady_clock::now() >= (changed ? changed_until : until)) {
-      note_lacking(stratum, x, y, {place, wanted.end()});
-      // Where there is no more room nothing is left to be waited for.
-      return full;
+    if (full) makers_[s].stop();
+    // Where there is no more room nothing is left to be waited for.
+    if (places.empty() || full) {
+      note_lacking(stratum, x, y, places);
+      return true;
     }
-    const auto end = place + std::min<std::ptrdiff_t>(blocks_at_once, (changed ? others : wanted.end()) - place);
-    fill_all(stratum, {place, end});
-    place = end;
+    if (makers_[s].busy()) {
+      note_lacking(stratum, x, y, places);
+      return false;
+    }
+    // It may have ended since.
+    take_made(stratum, std::chrono::steady_clock::now());
+    places = wanted(stratum, x, y, reach);
+    places.resize(std::min(places.size(), most_asked));
+    drop_far(stratum, x, y, reach);
+    made_before_change_[s] = made_elsewhere_[s] = false;
+    makers_[s].start(placement_, stratum, std::move(places));
+    if (std::chrono::steady_clock::now() >= until) {
+      note_lacking(stratum, x, y, wanted(stratum, x, y, reach));
+      return false;
+    }
   }
-  return true;
 }
 
 void PlantBlocks::note_lacking(Stratum stratum, double x, double y, std::span<const std::pair<int, int>> left) {
@@ -150,18 +166,23 @@ void PlantBlocks::fill_all(Stratum stratum, std::span<const std::pair<int, int>>
   std::vector<PlantBlock*> blocks;
   blocks.reserve(places.size());
   for (const auto& place : places) blocks.push_back(&blocks_[std::size_t(stratum)][place]);
-  parallel_each(places.size(), [&](std::size_t i) { fill(stratum, places[i], *blocks[i], versions_ + 1 + std::uint32_t(i)); });
+  parallel_each(places.size(), [&](std::size_t i) {
+    *blocks[i] = made_block(placement_, stratum, places[i]);
+    blocks[i]->version = versions_ + 1 + std::uint32_t(i);
+  });
   versions_ += std::uint32_t(places.size());
 }
 
 void PlantBlocks::build_all(Stratum stratum, double x, double y, float reach) {
   if (!snapshot_) return;
-  const auto wanted = missing(stratum, x, y, reach);
+  makers_[std::size_t(stratum)].stop();
+  take_made(stratum, std::chrono::steady_clock::now() + std::chrono::hours(1));
+  const auto places = missing(stratum, x, y, reach);
   whole_to_[std::size_t(stratum)] = reach;
   drop_far(stratum, x, y, reach);
   constexpr std::size_t at_once = 256;
-  for (std::size_t first = 0; first < wanted.size(); first += at_once) {
-    const auto rest = std::span(wanted).subspan(first);
+  for (std::size_t first = 0; first < places.size(); first += at_once) {
+    const auto rest = std::span(places).subspan(first);
     if (bytes() >= most_bytes_) return note_lacking(stratum, x, y, rest);
     fill_all(stratum, rest.first(std::min(at_once, rest.size())));
   }

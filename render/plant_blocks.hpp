@@ -9,38 +9,22 @@
 #include <vector>
 
 #include "render/ground_picture.hpp"
+#include "render/plant_block_maker.hpp"
 #include "render/plant_placement.hpp"
 
 namespace biotope {
 
-/// Plants of one block, kept until the maps under it change.
-struct PlantBlock {
-  /// By rising rank: the first few stand for all where fewer are shown.
-  std::vector<PlantInstance> plants;
-  /// Of a block of herbs: what lies and grows beside them.
-  std::vector<PlantInstance> undergrowth;
-  /// Another number whenever the plants are made anew.
-  std::uint32_t version = 0;
-  /// Lowest and highest foot, m.
-  float low = 0;
-  float high = 0;
-  bool stale = true;
-};
-
 /// The blocks of plants that a camera needs, built when they are first asked for and again when a map under them has changed. A
-/// block that waits for its turn keeps its old plants.
+/// block that waits for its turn keeps its old plants. Blocks are made on other threads.
 class PlantBlocks {
  public:
   /// `lines` is the water and the trails that are drawn with the snapshot; null: plants keep away from the cells of water only.
   void set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot, std::shared_ptr<const GroundLines> lines = nullptr);
 
-  /// Builds blocks of a stratum that lie within `reach` metres of (x, y), nearest first, until `until`. Those near (x, y) whose
-  /// plants an edit has changed come before all others, and may take until `changed_until`. Returns false when some are left.
-  bool build(Stratum stratum, double x, double y, float reach, std::chrono::steady_clock::time_point until,
-             std::chrono::steady_clock::time_point changed_until);
-  bool build(Stratum stratum, double x, double y, float reach, std::chrono::steady_clock::time_point until) {
-    return build(stratum, x, y, reach, until, until);
-  }
+  /// Has blocks of a stratum built that lie within `reach` metres of (x, y): those near (x, y) whose plants an edit has changed
+  /// first, then nearest first. Waits for them until `until`; what is not there by then comes with a later call. Returns false
+  /// when some are left.
+  bool build(Stratum stratum, double x, double y, float reach, std::chrono::steady_clock::time_point until);
   /// Builds all of them, on all threads.
   void build_all(Stratum stratum, double x, double y, float reach);
 
@@ -58,7 +42,10 @@ class PlantBlocks {
 
  private:
   [[nodiscard]] std::vector<std::pair<int, int>> missing(Stratum stratum, double x, double y, float reach) const;
-  void fill(Stratum stratum, std::pair<int, int> place, PlantBlock& block, std::uint32_t version) const;
+  /// What is missing in the order in which it is wanted.
+  [[nodiscard]] std::vector<std::pair<int, int>> wanted(Stratum stratum, double x, double y, float reach) const;
+  /// Takes what was made until a time. Of blocks that were begun before the maps changed again the next ones are wanted too.
+  void take_made(Stratum stratum, std::chrono::steady_clock::time_point until);
   /// Builds blocks on all threads.
   void fill_all(Stratum stratum, std::span<const std::pair<int, int>> places);
   /// Makes the blocks stale on whose ground something is another than it was.
@@ -75,6 +62,10 @@ class PlantBlocks {
   std::uint32_t versions_ = 0;
   std::size_t most_bytes_ = std::size_t(256) << 20U;
   std::array<float, strata> whole_to_{};
+  std::array<PlantBlockMaker, strata> makers_;
+  /// Whether the maps changed since a maker began; and whether what it makes is for another landscape.
+  std::array<bool, strata> made_before_change_{};
+  std::array<bool, strata> made_elsewhere_{};
 };
 
 }  // namespace biotope

@@ -28,9 +28,6 @@ void set_levels(const ShaderProgram& program, const PlantLevels& levels) {
   program.set("lod", glm::vec4(levels.near_pixels, levels.mid_pixels, levels.far_from, levels.far_to));
 }
 
-/// Time for building plants from which on a frame counts as a long one, ms.
-constexpr double long_frame_budget = 16;
-
 /// Height on the screen from which no mesh is finer.
 constexpr float no_finer = 1e9F;
 
@@ -142,8 +139,6 @@ bool PlantRenderer::prepare(const PlantLook& look, const glm::dvec3& eye, const 
   if (!sees(Stratum::tree, budget, eye)) budget.tree_reach = 0;
   blocks_.set_most_bytes(budget.block_bytes());
   const auto until = std::chrono::steady_clock::now() + std::chrono::microseconds(std::int64_t(1000 * budget_ms));
-  // An edit near the eye is answered in one picture, the more so where the next would come late.
-  const auto changed_until = until + std::chrono::milliseconds(budget_ms > long_frame_budget ? 80 : 12);
   bool complete = true;
   std::array<float, strata> shading{};
   for (const Stratum stratum : {Stratum::tree, Stratum::shrub}) {
@@ -152,7 +147,7 @@ bool PlantRenderer::prepare(const PlantLook& look, const glm::dvec3& eye, const 
   if (std::exchange(shading_reach_, shading) != shading) shaded_area_ = glm::vec4(0);
   for (const Stratum stratum : {Stratum::herb, Stratum::tree, Stratum::shrub}) {
     if (budget.reach(stratum) > 0 && sees(stratum, budget, eye))
-      complete = blocks_.build(stratum, eye.x, eye.y, budget.reach(stratum), until, changed_until) && complete;
+      complete = blocks_.build(stratum, eye.x, eye.y, budget.reach(stratum), until) && complete;
   }
   UploadBudget upload;
   for (const Stratum stratum : {Stratum::tree, Stratum::shrub}) {

@@ -45,6 +45,8 @@ DrawingClock::DrawingClock() {
   Between<&epoxy_glDrawElementsInstancedBaseInstance>::enter("glDrawElementsInstancedBaseInstance");
   Between<&epoxy_glClear>::enter("glClear");
   Between<&epoxy_glClearNamedFramebufferfv>::enter("glClearNamedFramebufferfv");
+  Between<&epoxy_glMultiDrawArraysIndirect>::enter("glMultiDrawArraysIndirect");
+  Between<&epoxy_glCopyImageSubData>::enter("glCopyImageSubData");
   Between<&epoxy_glBlitNamedFramebuffer>::enter("glBlitNamedFramebuffer");
   Between<&epoxy_glGenerateTextureMipmap>::enter("glGenerateTextureMipmap");
   Between<&epoxy_glFinish>::enter("glFinish");
@@ -58,6 +60,8 @@ DrawingClock::~DrawingClock() {
   Between<&epoxy_glDrawElementsInstancedBaseInstance>::leave();
   Between<&epoxy_glClear>::leave();
   Between<&epoxy_glClearNamedFramebufferfv>::leave();
+  Between<&epoxy_glMultiDrawArraysIndirect>::leave();
+  Between<&epoxy_glCopyImageSubData>::leave();
   Between<&epoxy_glBlitNamedFramebuffer>::leave();
   Between<&epoxy_glGenerateTextureMipmap>::leave();
   Between<&epoxy_glFinish>::leave();
