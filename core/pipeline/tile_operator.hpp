@@ -10,14 +10,6 @@
 
 namespace biotope {
 
-/// Footprint of an operator over tiles: which outputs a change of its input touches, and which inputs an output needs. Every operator of
-/// this kind here is local to a cell (reach 0); a reach in cells grows both rectangles alike.
-struct Footprint {
-  int reach = 0;
-  [[nodiscard]] Rect invalidated_by(const Rect& input) const { return grown(input, reach); }
-  [[nodiscard]] Rect required_for(const Rect& output) const { return grown(output, reach); }
-};
-
 /// Numbers of the tiles of two paint layers (null: blank) that do not share their pointer.
 template <class T>
 [[nodiscard]] std::vector<std::size_t> differing_tiles(const TiledMap<T>* before, const TiledMap<T>* after,

@@ -107,21 +107,25 @@ cp "$copy" "$work/rescued.biotope"
 
 start_editor "$work/hill.asc"
 until_true 20 titled 'hill - Biotope' || fail "the editor did not start again: '$(title)'"
-sleep 0.5
-xdotool key Return  # 'Unsaved work was found': open it
-until_true 15 titled '\* *' || fail "the recovered work was not opened: '$(title)'"
-xdotool key ctrl+s
-sleep 0.7
-xdotool key ctrl+a type --delay 30 rescued
-# The dialog may still be opening when the first one comes.
+# 'Unsaved work was found': open it. The dialog may still be opening when the first key comes.
+recovered() {
+  xdotool key Return
+  sleep 0.6
+  titled '\* *'
+}
+until_true 20 recovered || fail "the recovered work was not opened: '$(title)'"
+# So may the dialog that asks for a name: an attempt that came too early is given up and made again.
 saved() {
+  xdotool key ctrl+s
+  sleep 0.8
+  xdotool key ctrl+a type --delay 40 rescued
   xdotool keydown Return
   sleep 0.15
   xdotool keyup Return
-  sleep 0.35
-  [ -f "$work/scenes/rescued.biotope" ]
+  sleep 0.8
+  [ -f "$work/scenes/rescued.biotope" ] || { xdotool key Escape; return 1; }
 }
-until_true 10 saved || fail "the recovered work was not saved: '$(title)'"
+until_true 25 saved || fail "the recovered work was not saved: '$(title)'"
 until_true 5 titled 'rescued - Biotope' || fail "the title does not tell that it is saved: '$(title)'"
 [ "$(paint_of "$work/scenes/rescued.biotope")" = "$lost" ] || fail "the recovered paint is not what the copy held"
 "$biotope" info "$work/scenes/rescued.biotope" >/dev/null || fail "the saved scene cannot be read"
