@@ -34,7 +34,8 @@ awk 'BEGIN {
   for (y = 0; y < n; ++y) { for (x = 0; x < n; ++x) printf "%.1f ", 600 + 120 * sin(x / 17) * cos(y / 23) + x; print "" }
 }' >"$work/hill.asc"
 
-exec 3< <(exec Xvfb -displayfd 1 -screen 0 1000x640x24 -nolisten tcp 2>/dev/null & echo "pid $!"; wait)
+# Without -noreset the server starts anew, and is not there for a moment, whenever a tool that was its only client ends.
+exec 3< <(exec Xvfb -displayfd 1 -screen 0 1000x640x24 -nolisten tcp -noreset 2>/dev/null & echo "pid $!"; wait)
 while read -r line <&3; do
   case $line in
     pid*) screen=${line#pid } ;;
@@ -86,6 +87,7 @@ painted() {
   titled '\* *'
 }
 
+until_true 15 xdotool getmouselocation >/dev/null 2>&1 || fail "the display does not answer"
 start_editor "$work/hill.asc"
 until_true 20 titled 'hill - Biotope' || fail "the terrain was not opened: '$(title)'"
 xdotool key 2  # Climate: the moisture is shown
