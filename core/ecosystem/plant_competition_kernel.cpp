@@ -9,23 +9,16 @@ namespace biotope {
 
 namespace {
 
-/// The fittest competitor in every lane: its number + 1, or 0. Competitors that can nowhere grow any more leave.
-BIOTOPE_INLINE Lanes choose_fittest(const CompetitionPlan::Layer& layer, CompetitionBatch& batch, const Left& left) {
+/// The fittest competitor in every lane: its number + 1, or 0.
+BIOTOPE_INLINE Lanes choose_fittest(const CompetitionPlan::Layer& layer, const CompetitionBatch& batch, const Left& left) {
   Lanes best{};
   Lanes chosen{};
-  std::size_t staying = 0;
   for (const int i : batch.active) {
     const Competitor& c = layer.competitors[std::size_t(i)];
-    if (!any(where_fed(c, left, best_fitness(c, batch, std::size_t(i))))) {
-      count_competitor(c, batch, -1);
-      continue;
-    }
-    batch.active[staying++] = i;
     const Lanes fitness = where_fed(c, left, fitness_now(c, batch, std::size_t(i)));
     chosen = fitness > best ? lanes(float(i + 1)) : chosen;
     best = larger(fitness, best);
   }
-  batch.active.resize(staying);
   return chosen;
 }
 
@@ -33,6 +26,7 @@ BIOTOPE_INLINE void compete_layer(const CompetitionPlan::Layer& layer, Competiti
   start_layer(layer, batch);
   while (!batch.active.empty()) {
     look_again(layer, batch, left);
+    drop_hopeless(layer, batch, left);
     const Lanes chosen = choose_fittest(layer, batch, left);
     if (!any(chosen)) return;
     give_units(layer, chosen, batch, left);

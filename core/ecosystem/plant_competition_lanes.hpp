@@ -148,6 +148,20 @@ BIOTOPE_INLINE void look_again(const CompetitionPlan::Layer& layer, CompetitionB
   left.water = water.mean.v - left.water_taken;
 }
 
+/// Competitors that can nowhere in the batch grow any more leave.
+BIOTOPE_INLINE void drop_hopeless(const CompetitionPlan::Layer& layer, CompetitionBatch& batch, const Left& left) {
+  std::size_t staying = 0;
+  for (const int i : batch.active) {
+    const Competitor& c = layer.competitors[std::size_t(i)];
+    if (any(where_fed(c, left, best_fitness(c, batch, std::size_t(i))))) {
+      batch.active[staying++] = i;
+    } else {
+      count_competitor(c, batch, -1);
+    }
+  }
+  batch.active.resize(staying);
+}
+
 /// One unit in every lane to the competitor whose number + 1 is chosen there.
 BIOTOPE_INLINE void give_units(const CompetitionPlan::Layer& layer, const Lanes& chosen, CompetitionBatch& batch, Left& left) {
   const Lanes none{};

@@ -59,22 +59,16 @@ struct SharingBatch {
   std::vector<LaneValues> open;
 };
 
-/// The competitor whose moment comes first in every lane: its number in the layer + 1, or 0. Competitors that can nowhere grow
-/// any more leave. `now` is the moment of the last unit in every lane, and becomes that of the next.
+/// The competitor whose moment comes first in every lane: its number in the layer + 1, or 0. `now` is the moment of the last unit
+/// in every lane, and becomes that of the next.
 BIOTOPE_INLINE Lanes choose_first(const CompetitionPlan::Layer& layer, const ShareSchedule& schedule, const QueuePlaces& places,
                                   SharingBatch& sharing, const Left& left, Lanes& now) {
-  CompetitionBatch& batch = sharing.batch;
+  const CompetitionBatch& batch = sharing.batch;
   Lanes first = lanes(never);
   Lanes pace{};
   Lanes chosen{};
-  std::size_t staying = 0;
   for (const int i : batch.active) {
     const Competitor& c = layer.competitors[std::size_t(i)];
-    if (!any(where_fed(c, left, best_fitness(c, batch, std::size_t(i))))) {
-      count_competitor(c, batch, -1);
-      continue;
-    }
-    batch.active[staying++] = i;
     const Lanes fitness = where_fed(c, left, fitness_now(c, batch, std::size_t(i)));
     if (!any(fitness)) continue;
     const Turn turn = turn_of(schedule.plants[std::size_t(i)], places, fitness);
@@ -84,7 +78,6 @@ BIOTOPE_INLINE Lanes choose_first(const CompetitionPlan::Layer& layer, const Sha
     pace = sooner ? turn.pace : pace;
     first = smaller(moment, first);
   }
-  batch.active.resize(staying);
   now = chosen > Lanes{} ? larger(now, first) : now;
   for (const int i : batch.active) {
     LaneValues& open = sharing.open[std::size_t(i)];
@@ -104,6 +97,7 @@ BIOTOPE_INLINE void compete_inline(const CompetitionPlan::Layer& layer, const Sh
   start_layer(layer, batch);
   while (!batch.active.empty()) {
     look_again(layer, batch, left);
+    drop_hopeless(layer, batch, left);
     const Lanes chosen = choose_first(layer, schedule, places, sharing, left, now);
     if (!any(chosen)) return;
     give_units(layer, chosen, batch, left);
