@@ -92,4 +92,27 @@ void run(const EditorCommand& command, EditorState& state) {
   if (enabled(command, state)) command.run(state);
 }
 
+EditorCommand make_command(std::string id, std::string menu, std::string name, std::string keys, std::string tooltip,
+                           const char* icon, std::function<void(EditorState&)> action) {
+  EditorCommand command;
+  command.id = std::move(id);
+  command.menu = std::move(menu);
+  command.name = std::move(name);
+  command.keys = std::move(keys);
+  command.tooltip = std::move(tooltip);
+  command.icon = icon;
+  command.run = std::move(action);
+  return command;
+}
+
+EditorCommand make_document_command(std::string id, std::string menu, std::string name, std::string keys, std::string tooltip,
+                                    const char* icon, std::function<void(EditorState&)> action) {
+  EditorCommand command =
+      make_command(std::move(id), std::move(menu), std::move(name), std::move(keys), std::move(tooltip), icon, std::move(action));
+  command.enabled = has_document;
+  return command;
+}
+
+bool has_document(const EditorState& state) { return state.has_document; }
+
 }  // namespace biotope

@@ -59,6 +59,15 @@ class CommandTable {
 /// Runs an enabled command; nothing otherwise.
 void run(const EditorCommand& command, EditorState& state);
 
+/// A command that is always there; what else it has is set on what is returned.
+[[nodiscard]] EditorCommand make_command(std::string id, std::string menu, std::string name, std::string keys,
+                                         std::string tooltip, const char* icon, std::function<void(EditorState&)> action);
+/// One that waits for a landscape.
+[[nodiscard]] EditorCommand make_document_command(std::string id, std::string menu, std::string name, std::string keys,
+                                                  std::string tooltip, const char* icon,
+                                                  std::function<void(EditorState&)> action);
+[[nodiscard]] bool has_document(const EditorState& state);
+
 /// Every command of the editor.
 [[nodiscard]] std::vector<EditorCommand> editor_commands();
 

@@ -12,22 +12,12 @@
 namespace biotope {
 namespace {
 
-bool has_document(const EditorState& state) { return state.has_document; }
 bool has_herds(const EditorState& state) { return state.shown && state.shown->plans && !state.shown->plans->empty(); }
 bool has_herd(const EditorState& state) { return state.herd_day.herd && chosen_plan(state) != nullptr; }
 
 EditorCommand& add(std::vector<EditorCommand>& list, const char* id, const char* name, const char* keys, const char* tooltip,
                    const char* icon, std::function<void(EditorState&)> action) {
-  EditorCommand made;
-  made.id = id;
-  made.menu = "Explore";
-  made.name = name;
-  made.keys = keys;
-  made.tooltip = tooltip;
-  made.icon = icon;
-  made.run = std::move(action);
-  made.enabled = has_document;
-  list.push_back(std::move(made));
+  list.push_back(make_document_command(id, "Explore", name, keys, tooltip, icon, std::move(action)));
   return list.back();
 }
 

@@ -43,14 +43,8 @@ bool can(const EditorState& state, LockEdit::How how) {
 
 void add_locking_commands(std::vector<EditorCommand>& list) {
   for (const LockRow& row : rows) {
-    EditorCommand command;
-    command.id = row.id;
-    command.menu = "Edit";
-    command.name = row.name;
-    command.keys = row.keys;
-    command.tooltip = row.tooltip;
-    command.icon = row.icon;
-    command.run = [how = row.how](EditorState& state) { perform_edit(state, LockEdit{how}); };
+    EditorCommand command = make_command(row.id, "Edit", row.name, row.keys, row.tooltip, row.icon,
+                                         [how = row.how](EditorState& state) { perform_edit(state, LockEdit{how}); });
     command.enabled = [how = row.how](const EditorState& state) { return can(state, how); };
     command.line_before = row.how == LockEdit::How::add;
     list.push_back(std::move(command));
