@@ -21,6 +21,8 @@ constexpr double boids_near = 260;
 constexpr double boids_far = 340;
 /// Shadows are drawn up to this distance, times quality, m.
 constexpr double shade_distance = 220;
+/// Animals whose half length is fewer texels of a ShadowMap's cascade throw no shadow into it.
+constexpr float least_shadow_texels = 3;
 constexpr GLuint skeleton_binding = 2;
 
 /// Froude numbers v2 / (g hip) at which a walk becomes a trot and a trot a gallop, each gradually around it.
@@ -57,20 +59,20 @@ Result<std::unique_ptr<AnimalRenderer>> AnimalRenderer::create() {
   return renderer;
 }
 
-/// Herds that may be in sight, and how near they are.
-std::vector<HerdRequest> AnimalRenderer::herds_near(const LandscapeOptions& options, const glm::dvec3& eye) const {
+std::vector<HerdRequest> AnimalRenderer::herds_near(const HerdWorld& world, const Look& look) {
+  const auto& [options, eye] = look;
   std::vector<HerdRequest> requests;
-  const std::vector<DailyPlan>& plans = *world_->plans;
+  const std::vector<DailyPlan>& plans = *world.plans;
   for (std::size_t p = 0; p < plans.size(); ++p) {
     const DailyPlan& plan = plans[p];
     const auto s = std::size_t(plan.species);
     if (s < options.visible_species.size() && !options.visible_species[s]) continue;
-    const AnimalShape& shape = world_->traits(plan).shape;
-    const Place middle = world_->place_of(world_->state(plan, options.hour * 3600).at);
-    const double reach = herd_reach(*world_, plan);
+    const AnimalShape& shape = world.traits(plan).shape;
+    const Place middle = world.place_of(world.state(plan, options.hour * 3600).at);
+    const double reach = herd_reach(world, plan);
     const double distance = length(middle - Place{eye.x, eye.y});
     const double flat = std::max(0.0, distance - reach);
-    const double height = eye.z - double(ground_height(world_->terrain(), middle.x, middle.y));
+    const double height = eye.z - double(ground_height(world.terrain(), middle.x, middle.y));
     if (std::hypot(flat, height) > farthest * double(options.quality) * double(shape.shoulder_height)) continue;
     requests.push_back({int(p), float(1 - smooth_step(boids_near, boids_far, std::hypot(distance, height)))});
   }
@@ -139,19 +141,37 @@ AnimalRenderer::Instance AnimalRenderer::instance(const HerdAnimal& animal, cons
           {float(rise), float(rise_left), shade, headgear(at)}};
 }
 
+/// Into which cascades an animal throws its shadow.
+std::array<bool, shadow_cascades> AnimalRenderer::casts_of(const glm::vec3& centre, float radius, const ShadowView* light) {
+  std::array<bool, shadow_cascades> casts{};
+  for (int c = 0; c < shadow_cascades && light != nullptr; ++c) {
+    // What is some texels large is no shadow that one knows.
+    const bool large = radius > least_shadow_texels * 2 * light->cascades[std::size_t(c)].half_side / shadow_texels;
+    casts[std::size_t(c)] = large && casts_into(*light, c, centre, radius);
+    if (!casts[std::size_t(c)]) continue;
+    // Antlers and tails reach beyond the ball.
+    shadow_boxes_[std::size_t(c)].take_in({glm::dot(light->right, centre), glm::dot(light->up, centre)}, 1.5F * radius + 1);
+  }
+  return casts;
+}
+
 void AnimalRenderer::prepare(const MapsSnapshot& maps, const LandscapeOptions& options, const glm::dvec3& eye,
                              const Frustum& frustum, const Grid<float>& surface, const ShadowView* light) {
   drawn_.clear();
   seen_.clear();
   casting_.clear();
+  shadow_boxes_ = {};
+  looked_ = Look{options, eye};
   if (!options.animals || !simulation_) return;
-  if (web_ != maps.web) {
-    web_ = maps.web;
+  // What is placed may for a while be of an older snapshot.
+  if (web_ != world_->web) {
+    web_ = world_->web;
     make_models(*web_);
   }
   set_month(northern_month(options.month, maps.terrain().latitude));
+  if (jumps_to(options.hour)) jump(*looked_);
   if (!change_) {
-    placed_ = {herds_near(options, eye), {}, options.hour};
+    placed_ = {herds_near(*world_, *looked_), {}, options.hour};
     placed_.herds = simulation_->animals(placed_.requests, options.hour);
     bytes_ = simulation_->bytes();
   }
@@ -169,8 +189,7 @@ void AnimalRenderer::prepare(const MapsSnapshot& maps, const LandscapeOptions& o
       if (seen_at > farthest) continue;
       const glm::vec3 centre = glm::vec3(offset) + glm::vec3(0, 0, 0.6F * at.height);
       const float radius = std::max(1.3F * at.height, 0.8F * at.length);
-      std::array<bool, shadow_cascades> casts{};
-      for (int c = 0; c < shadow_cascades; ++c) casts[std::size_t(c)] = light != nullptr && casts_into(*light, c, centre, radius);
+      const std::array<bool, shadow_cascades> casts = casts_of(centre, radius, light);
       const bool seen = frustum.meets_sphere(centre, radius);
       if (!seen && std::none_of(casts.begin(), casts.end(), [](bool does) { return does; })) continue;
       const Instance one = instance(animal, at, surface, eye);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/background_thread.hpp"
 #include "core/movement/herd_simulation.hpp"
 #include "core/pipeline/maps_snapshot.hpp"
 #include "render/animal_mesh.hpp"
@@ -30,14 +31,18 @@ class AnimalRenderer {
 
   /// Takes what animals move on; `shore` (may be null) tells where water is drawn, `trees` (without a snapshot: none) where
   /// trunks stand. Call before draw and animal; costs nothing when nothing changed. Herds around which nothing changed go on.
-  /// Unless it has to be `at_once`, another thread finds where the herds are now, and until it has animals stay where they were.
+  /// Unless it has to be `at_once`, another thread finds where the herds are now, and until it has animals stay where they were;
+  /// in another landscape there are none until then.
   void set_world(const MapsSnapshot& maps, std::shared_ptr<const ShoreMap> shore, const PlantPlacement& trees, bool at_once);
   /// Whether animals are where the last world has them.
   [[nodiscard]] bool settled() const { return change_ == nullptr && !behind_; }
-  /// Places the animals of an hour that the camera sees, and those whose shadows `light` (may be null) sees. `surface` is the
-  /// ground as it is drawn; animals stand on it. Call before the draws of a frame.
+  /// Places the animals of an hour that the camera sees (where they may lag, those of another hour only once they are found), and
+  /// those whose shadows `light` (may be null) sees. `surface` is the ground as it is drawn; animals stand on it. Call before the
+  /// draws of a frame.
   void prepare(const MapsSnapshot& maps, const LandscapeOptions& options, const glm::dvec3& eye, const Frustum& frustum,
                const Grid<float>& surface, const ShadowView* light);
+  /// Where shadows of those that were prepared fall into a cascade.
+  [[nodiscard]] const ShadowBox& shadow_box(int cascade) const { return shadow_boxes_[std::size_t(cascade)]; }
   /// Draws those that throw shadows into a cascade of the ShadowMap that is open.
   DrawCount draw_shadows(int cascade) const;
   /// Draws what was prepared; `shadows`: with those of the ShadowMap that is bound.
@@ -87,18 +92,29 @@ class AnimalRenderer {
     Buffer shade_instances;
   };
 
-  /// A change of the world in the hands of another thread, and with it the simulation.
-  struct Change {
-    std::shared_ptr<const ShoreMap> shore;
-    std::shared_ptr<const AnimalSurroundings> surroundings;
-    std::shared_ptr<const HerdWorld> world;
-    std::future<void> done;
-  };
   /// Herds as they were placed last.
   struct Placed {
     std::vector<HerdRequest> requests;
     std::vector<std::vector<HerdAnimal>> herds;
     double hour = 0;
+  };
+  /// A change of the world, or of the hour alone, in the hands of another thread, and with it the simulation.
+  struct Change {
+    /// Of the hour alone: what was found.
+    std::optional<Placed> placed;
+    std::shared_ptr<const ShoreMap> shore;
+    std::shared_ptr<const AnimalSurroundings> surroundings;
+    std::shared_ptr<const HerdWorld> world;
+    /// A new one, where that of before cannot go on.
+    std::unique_ptr<HerdSimulation> simulation;
+    /// The herds in the new world, as they were looked at last.
+    Placed arrived;
+    std::future<void> done;
+  };
+  /// What was prepared last.
+  struct Look {
+    LandscapeOptions options;
+    glm::dvec3 eye{0};
   };
 
   AnimalRenderer() = default;
@@ -107,6 +123,12 @@ class AnimalRenderer {
   bool finish_change(bool wait);
   void change_world(const MapsSnapshot& maps, std::shared_ptr<const ShoreMap> shore, const PlantPlacement& trees,
                     bool same_details);
+  /// Whether another thread must find first where herds are at an hour: it takes minutes of their simulation.
+  [[nodiscard]] bool jumps_to(double hour) const;
+  /// Has another thread place the herds of a look; until it has they stay where they were.
+  void jump(const Look& look);
+  /// Has another thread free the animals' world.
+  void retire_world();
   void make_models(const FoodWeb& web);
   void make_model(const AnimalMesh& mesh, Model& model) const;
   void make_shade(SpeciesModels& species) const;
@@ -115,12 +137,14 @@ class AnimalRenderer {
   /// Gives every species the coat of a month (0: January on the northern hemisphere).
   void set_month(int month);
   [[nodiscard]] float headgear(const AnimalAt& at) const;
-  [[nodiscard]] std::vector<HerdRequest> herds_near(const LandscapeOptions& options, const glm::dvec3& eye) const;
+  /// Herds that may be in sight, and how near they are.
+  [[nodiscard]] static std::vector<HerdRequest> herds_near(const HerdWorld& world, const Look& look);
   void place(const HerdAnimal& animal, int plan, int member, const Grid<float>& surface, AnimalAt& at) const;
   /// Height that an animal's feet are at, under whatever water is drawn.
   [[nodiscard]] double feet_height(const Grid<float>& surface, glm::dvec2 place, double shoulder) const;
   [[nodiscard]] Instance instance(const HerdAnimal& animal, const AnimalAt& at, const Grid<float>& surface,
                                   const glm::dvec3& eye) const;
+  [[nodiscard]] std::array<bool, shadow_cascades> casts_of(const glm::vec3& centre, float radius, const ShadowView* light);
   DrawCount draw_shades(double quality, float strength) const;
 
   std::shared_ptr<const FoodWeb> web_;
@@ -132,7 +156,10 @@ class AnimalRenderer {
   std::shared_ptr<const AnimalSurroundings> surroundings_;
   AnimalWading wading_;
   std::unique_ptr<HerdSimulation> simulation_;
+  std::optional<Look> looked_;
   Placed placed_;
+  /// Whether animals may stay where they were for some pictures.
+  bool may_lag_ = false;
   std::size_t bytes_ = 0;
   std::unique_ptr<Change> change_;
   /// Whether there is a newer world than the one that is shown or being changed to.
@@ -141,12 +168,14 @@ class AnimalRenderer {
   /// By species: those in sight, by level of detail, and those that throw shadows into each cascade.
   std::vector<std::array<std::vector<Instance>, levels_of_detail>> seen_;
   std::vector<std::array<std::vector<Instance>, shadow_cascades>> casting_;
+  std::array<ShadowBox, shadow_cascades> shadow_boxes_{};
   ShaderProgram near_;
   ShaderProgram shadowed_;
   ShaderProgram caster_;
   ShaderProgram far_;
   ShaderProgram shade_;
   Buffer shade_corners_;
+  BackgroundThread thread_;
 };
 
 }  // namespace biotope

@@ -19,8 +19,8 @@ struct FrameUniforms {
   glm::vec4 sun_direction{0};
   glm::vec4 ambient_sky{0};
   glm::vec4 ambient_ground{0};
-  glm::vec4 horizon{0};
-  glm::vec4 zenith{0};
+  glm::vec4 horizon{0};  ///< w: column of the whole picture that is the first of the part which is drawn
+  glm::vec4 zenith{0};   ///< w: row of it
   glm::vec4 fog{0};      ///< extinction 1/m at the base height, 1/scale height, base height, quality
   glm::vec4 terrain{0};  ///< width, height (m), cell size (m), lowest ground (m)
   glm::vec4 camera_right{0};

@@ -37,6 +37,10 @@ Framebuffer make_framebuffer() {
   return Framebuffer(name);
 }
 
+void mix_mipmaps(GLuint texture, bool mixed) {
+  glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, mixed ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR_MIPMAP_NEAREST);
+}
+
 int full_mip_levels(int width, int height) { return int(std::bit_width(unsigned(std::max({width, height, 1})))); }
 
 namespace {

@@ -63,12 +63,16 @@ struct Sampling {
   GLint minify = GL_LINEAR;
   GLint magnify = GL_LINEAR;
   GLint wrap = GL_CLAMP_TO_EDGE;
+
+  bool operator==(const Sampling& other) const = default;
 };
 /// A 2D texture with storage for `levels` mipmaps (0: all of them); its contents are undefined until uploaded.
 [[nodiscard]] Texture make_texture_2d(GLenum internal_format, int width, int height, int levels, const Sampling& sampling);
 /// An array of 2D textures.
 [[nodiscard]] Texture make_texture_array(GLenum internal_format, int width, int height, int layers, int levels,
                                          const Sampling& sampling);
+/// Whether a texture's mipmaps are mixed, or the nearest one is taken: half of the work where a processor draws.
+void mix_mipmaps(GLuint texture, bool mixed);
 /// Mipmaps of a full chain.
 [[nodiscard]] int full_mip_levels(int width, int height);
 

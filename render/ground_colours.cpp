@@ -74,8 +74,8 @@ class GroundPainter {
  public:
   GroundPainter(const MapsSnapshot& snapshot, int month, const SpeciesVisibility& visible)
       : snapshot_(snapshot), tints_(plant_tints(snapshot, month, visible)) {
-    // Grass is fresh in late spring, straw-coloured in late summer, dull in winter.
-    constexpr std::array<float, 12> freshness{0.25F, 0.3F, 0.5F, 0.8F, 1.0F, 0.95F, 0.75F, 0.6F, 0.55F, 0.45F, 0.35F, 0.25F};
+    // Grass is fresh in late spring, straw-coloured in late summer, green again after the first rains, dull in winter.
+    constexpr std::array<float, 12> freshness{0.25F, 0.3F, 0.5F, 0.8F, 1.0F, 0.95F, 0.75F, 0.6F, 0.55F, 0.72F, 0.45F, 0.25F};
     freshness_ = freshness[std::size_t(month)];
     winter_ = month <= 1 || month >= 10 ? 0.7F : 0.0F;
   }
@@ -211,8 +211,8 @@ SeasonalFoliage seasonal_foliage(const PlantTraits& plant, int month) {
   // Share of autumn colour and of fallen leaves by month, for the temperate northern hemisphere (our choice).
   constexpr std::array<float, 12> turning{1, 1, 0.6F, 0.15F, 0, 0, 0, 0.05F, 0.25F, 0.9F, 1, 1};
   constexpr std::array<float, 12> fallen{1, 1, 0.85F, 0.3F, 0, 0, 0, 0, 0, 0.25F, 0.8F, 1};
-  // Herbs have ripe stalks from July on and are olive, not yet straw, when the woods turn.
-  constexpr std::array<float, 12> ripe{0.95F, 0.95F, 0.75F, 0.2F, 0, 0, 0.05F, 0.25F, 0.42F, 0.6F, 0.85F, 0.95F};
+  // Herbs have ripe stalks from July on; the rains of autumn make meadows green again when the woods turn.
+  constexpr std::array<float, 12> ripe{0.95F, 0.95F, 0.75F, 0.2F, 0, 0, 0.05F, 0.25F, 0.38F, 0.18F, 0.6F, 0.95F};
   const auto m = std::size_t(std::clamp(month, 0, 11));
   const bool herb = plant.stratum == Stratum::herb;
   // Young leaves of spring are lighter and yellower than those of late summer.
@@ -221,17 +221,22 @@ SeasonalFoliage seasonal_foliage(const PlantTraits& plant, int month) {
                                      : plant.shape.evergreen ? std::array<float, 3>{1.06F, 1.06F, 1}
                                                              : std::array<float, 3>{1.22F, 1.16F, 0.95F};
   // A crown is duller than a leaf: sky and twigs mix into it.
-  const auto in_crown = [&](const std::array<float, 3>& srgb) {
+  const auto in_crown = [&](const std::array<float, 3>& srgb, float dull) {
     std::array<float, 3> colour = linear_colour(srgb);
     for (std::size_t i = 0; i < 3; ++i) colour[i] *= light[i];
     const float grey = 0.3F * colour[0] + 0.55F * colour[1] + 0.15F * colour[2];
     constexpr std::array<float, 3> warm{1.1F, 1.0F, 0.8F};
-    for (std::size_t i = 0; i < 3; ++i) colour[i] += 0.22F * (grey * warm[i] - colour[i]);
+    for (std::size_t i = 0; i < 3; ++i) colour[i] += dull * (grey * warm[i] - colour[i]);
     return colour;
   };
   SeasonalFoliage out;
-  out.fresh = in_crown(plant.shape.leaf_colour);
-  out.turned = in_crown(plant.shape.autumn_colour);
+  out.fresh = in_crown(plant.shape.leaf_colour, 0.22F);
+  out.turned = in_crown(plant.shape.autumn_colour, herb ? 0.22F : 0.06F);
+  // Woods as a whole are more golden than green.
+  if (!herb && !plant.shape.evergreen) {
+    constexpr std::array<float, 3> golden{1.04F, 0.90F, 0.80F};
+    for (std::size_t i = 0; i < 3; ++i) out.turned[i] *= golden[i];
+  }
   const float turn = herb ? ripe[m] : turning[m];
   out.turn = plant.shape.evergreen ? 0.25F * turn : turn;
   // What comes out in April is new; last year's grass still stands.

@@ -1,7 +1,6 @@
 #include "render/landscape_renderer.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -9,39 +8,31 @@
 #include "render/animal_renderer.hpp"
 #include "render/fall_renderer.hpp"
 #include "render/frame.hpp"
+#include "render/landscape_shadows.hpp"
 #include "render/plant_renderer.hpp"
-#include "render/plant_shadows.hpp"
 #include "render/screen_effects.hpp"
-#include "render/shadow_map.hpp"
 #include "render/sky_renderer.hpp"
 #include "render/terrain_renderer.hpp"
+#include "render/whole_mirror.hpp"
 
 namespace biotope {
 
 namespace {
 
-/// Time of a frame that may go into building plants, ms: a share of what frames take, so that a slow renderer's pictures are
-/// whole as soon as a fast one's.
-constexpr double least_plant_milliseconds = 4;
-constexpr double most_plant_milliseconds = 8;
-constexpr double plant_share = 0.4;
 /// Quality from which on single trees and animals throw shadows.
 constexpr float shadow_quality = 2;
 /// Qualities from which on edges are smoothed (and water mirrors) and corners shaded.
 constexpr float smooth_quality = 2;
 constexpr float occlusion_quality = 4;
 
-/// What is done to a picture of that size. A tile does not know what is beside it.
+/// What is done to a picture.
 struct Effects {
   bool smooth = false;
   bool occlusion = false;
   bool reflections = false;
   [[nodiscard]] bool any() const { return smooth || occlusion || reflections; }
 };
-Effects effects_of(const LandscapeOptions& options, int width, int height) {
-  std::array<GLint, 4> viewport{};
-  glGetIntegerv(GL_VIEWPORT, viewport.data());
-  if (options.corner != glm::ivec2(0) || viewport[2] != width || viewport[3] != height) return {};
+Effects effects_of(const LandscapeOptions& options) {
   return {options.smooth_edges && options.quality >= smooth_quality, options.occlusion && options.quality >= occlusion_quality,
           options.reflections && options.water && options.shadows && options.quality >= smooth_quality};
 }
@@ -74,11 +65,12 @@ struct LandscapeRenderer::State {
   /// The ground the plants stand on, and the maps they were last placed by.
   std::shared_ptr<const GroundPicture> planted;
   std::shared_ptr<const MapsSnapshot> planted_maps;
-  PlantShadows plant_shadows;
-  ShadowMap shadow_map;
+  LandscapeShadows shadows;
   ScreenEffects effects;
-  /// Of the picture that is being drawn.
+  WholeMirror whole_mirror;
+  /// Of the picture that is being drawn, and whether that is a part of one.
   Effects shown_effects;
+  bool in_parts = false;
   SkyRenderer sky;
   FallRenderer fall;
   Buffer frame_buffer = make_buffer();
@@ -88,6 +80,8 @@ struct LandscapeRenderer::State {
   std::optional<Climate> snow_climate;
   bool ground_complete = false;
   bool plants_complete = true;
+  /// Whether there are all plants that the last picture asked for.
+  bool plants_made = true;
   /// bring_in() was called since the last draw.
   bool brought_in = false;
   /// Whether the picture is one of a window that must keep its pace.
@@ -97,17 +91,19 @@ struct LandscapeRenderer::State {
   glm::vec2 drawn_planes{1, 1000};
 
   FrameUniforms frame(const Camera& camera, const LandscapeOptions& options, const Daylight& light, int width, int height);
-  void follow_ground();
+  void follow_ground(bool at_once);
   void follow_animals(bool at_once);
   /// Prepares the animals, and draws what the light sees where shadows are shown. True where they are.
-  bool draw_shadows(const Camera& camera, const LandscapeOptions& options, const Daylight& light, const Frustum& frustum,
+  bool draw_shadows(const Camera& camera, const LandscapeOptions& options, const Daylight& light, const FrameUniforms& frame,
                     bool with_plants);
-  void draw_world(const Camera& camera, const LandscapeOptions& options, const Daylight& light, FrameUniforms& frame);
+  void draw_world(const Camera& camera, const LandscapeOptions& options, const Daylight& light, FrameUniforms& frame,
+                  glm::ivec2 size);
+  /// Draws what water mirrors in all parts of a picture, where that is not there yet.
+  void mirror_whole(const Camera& camera, const LandscapeOptions& options, const FrameUniforms& frame, glm::ivec2 size,
+                    bool with_plants, bool with_shadows);
+  void set_frame(const FrameUniforms& frame) const;
   void draw_picture(const Camera& camera, const LandscapeOptions& options, int width, int height);
   void count(const DrawCount& drawn);
-  double plant_milliseconds();
-  /// When the last picture was begun.
-  std::chrono::steady_clock::time_point begun;
 };
 
 LandscapeRenderer::LandscapeRenderer() : state_(std::make_unique<State>()) {}
@@ -125,9 +121,9 @@ Result<std::unique_ptr<LandscapeRenderer>> LandscapeRenderer::create() {
   auto plants = PlantRenderer::create();
   if (!plants) return tl::unexpected(plants.error());
   state.plants = std::move(*plants);
-  auto shadows = PlantShadows::create();
+  auto shadows = LandscapeShadows::create();
   if (!shadows) return tl::unexpected(shadows.error());
-  state.plant_shadows = std::move(*shadows);
+  state.shadows = std::move(*shadows);
   auto effects = ScreenEffects::create();
   if (!effects) return tl::unexpected(effects.error());
   state.effects = std::move(*effects);
@@ -151,7 +147,7 @@ void LandscapeRenderer::set_snapshot(std::shared_ptr<const MapsSnapshot> snapsho
 }
 
 /// Plants stand on the ground that is in sight: they follow a change of it when its picture is whole.
-void LandscapeRenderer::State::follow_ground() {
+void LandscapeRenderer::State::follow_ground(bool at_once) {
   const std::shared_ptr<const GroundPicture>& ground = terrain->shown();
   if (!terrain->ready() || ground->coarse) return;
   // On a ground of the same form they need not wait for its picture.
@@ -163,7 +159,7 @@ void LandscapeRenderer::State::follow_ground() {
   const bool newer = same_lines && planted->shape == ground->shape && planted_maps->revision > of.revision;
   const std::shared_ptr<const MapsSnapshot> maps = same_form ? snapshot : newer ? planted_maps : ground->of.snapshot;
   if (planted_maps != maps || !same_lines) {
-    plants->set_snapshot(maps, std::shared_ptr<const GroundLines>(ground, ground->lines.get()));
+    plants->set_snapshot(maps, std::shared_ptr<const GroundLines>(ground, ground->lines.get()), at_once);
   }
   planted = ground;
   planted_maps = maps;
@@ -194,16 +190,10 @@ FrameUniforms LandscapeRenderer::State::frame(const Camera& camera, const Landsc
   const Climate& climate = snapshot->document.climate;
   set_snow(out, snow[std::size_t(options.month)], snowfall_height(climate, options.month), ground.latitude, options.weather);
   out.fog.w = options.quality;
+  out.horizon.w = float(options.corner.x);
+  out.zenith.w = float(options.corner.y);
   out.terrain = {float(ground.width_metres()), float(ground.height_metres()), float(ground.cell_size), heights.x};
   return out;
-}
-
-double LandscapeRenderer::State::plant_milliseconds() {
-  const auto now = std::chrono::steady_clock::now();
-  const double interval = std::chrono::duration<double, std::milli>(now - std::exchange(begun, now)).count();
-  // A pause is no slow frame.
-  return interval > 500 ? least_plant_milliseconds
-                        : std::clamp(plant_share * interval, least_plant_milliseconds, most_plant_milliseconds);
 }
 
 void LandscapeRenderer::State::count(const DrawCount& drawn) {
@@ -212,34 +202,52 @@ void LandscapeRenderer::State::count(const DrawCount& drawn) {
 }
 
 bool LandscapeRenderer::State::draw_shadows(const Camera& camera, const LandscapeOptions& options, const Daylight& light,
-                                            const Frustum& frustum, bool with_plants) {
+                                            const FrameUniforms& frame, bool with_plants) {
   const bool drawn = options.shadows && options.quality >= shadow_quality;
   const Terrain& ground = snapshot->terrain();
   const double above = std::max(0.5, camera.position.z - ground_height(ground, camera.position.x, camera.position.y));
   const ShadowView view = shadow_view(camera, above, light.light_direction, light.shadows);
   follow_animals(!in_window);
-  animals->prepare(*snapshot, options, camera.position, frustum, terrain->surface(), drawn ? &view : nullptr);
+  animals->prepare(*snapshot, options, camera.position, Frustum(frame.view_projection), terrain->surface(),
+                   drawn ? &view : nullptr);
   if (!drawn) return false;
-  const DrawnElsewhere elsewhere(shadow_texels, shadow_texels);
-  shadow_map.begin(view);
-  for (int cascade = 0; cascade < shadow_cascades; ++cascade) {
-    shadow_map.open(cascade);
-    if (view.strength <= 0) continue;
-    if (with_plants) count(plant_shadows.draw(*plants, options.visible_species, camera.position, view, cascade));
-    count(animals->draw_shadows(cascade));
-  }
-  shadow_map.end();
+  const PlantShadowLook plant_look{snapshot->web, options.visible_species, options.month, camera.position,
+                                   glm::dvec3(frame.wind.x, frame.wind.y, options.seconds)};
+  count(shadows.draw(view, with_plants ? plants.get() : nullptr, plant_look, *animals));
   return true;
 }
 
+void LandscapeRenderer::State::set_frame(const FrameUniforms& frame) const {
+  stream(frame_buffer, std::span<const FrameUniforms>(&frame, 1));
+  glBindBufferBase(GL_UNIFORM_BUFFER, frame_binding, frame_buffer.name());
+}
+
+void LandscapeRenderer::State::mirror_whole(const Camera& camera, const LandscapeOptions& options, const FrameUniforms& frame,
+                                            glm::ivec2 size, bool with_plants, bool with_shadows) {
+  WholeMirror::Of of{camera, options, size, planted_maps, planted};
+  of.options.corner = glm::ivec2(0);
+  if (!whole_mirror.holds(of)) {
+    const DrawnElsewhere elsewhere(size.x, size.y);
+    FrameUniforms whole = frame;
+    whole.horizon.w = whole.zenith.w = 0;
+    set_frame(whole);
+    whole_mirror.begin(std::move(of));
+    if (with_plants) count(plants->draw(with_shadows));
+    // What is not all there is not kept.
+    if (!plants_complete) whole_mirror.forget();
+    set_frame(frame);
+  }
+  whole_mirror.bind();
+}
+
 void LandscapeRenderer::State::draw_world(const Camera& camera, const LandscapeOptions& options, const Daylight& light,
-                                          FrameUniforms& frame) {
+                                          FrameUniforms& frame, glm::ivec2 size) {
   const Terrain& ground = snapshot->terrain();
   const Frustum frustum(frame.view_projection);
   TerrainLook look = terrain_look(options, ground);
   const bool with_plants = options.plants && planted && same_extent(planted->terrain(), ground);
   if (with_plants) {
-    plants_complete = plants->prepare(plant_look(options), camera.position, frame, frustum, plant_milliseconds());
+    plants_complete = plants->prepare(plant_look(options), camera.position, frame, frustum, 1000 * options.patience);
     frame.shade_area = PlantRenderer::shade_area(camera.position,
                                                  camera.position.z - ground_height(ground, camera.position.x, camera.position.y));
     // Under clouds light comes from all sides.
@@ -247,11 +255,10 @@ void LandscapeRenderer::State::draw_world(const Camera& camera, const LandscapeO
     look.canopy_from = plants->canopy_range().x;
     look.canopy_whole = plants->canopy_range().y;
   }
-  stream(frame_buffer, std::span<const FrameUniforms>(&frame, 1));
-  glBindBufferBase(GL_UNIFORM_BUFFER, frame_binding, frame_buffer.name());
+  set_frame(frame);
   terrain->bind_shared();
   if (with_plants) count(plants->draw_shade(frame.shade_area, light.light_direction));
-  look.shadows = draw_shadows(camera, options, light, frustum, with_plants);
+  look.shadows = draw_shadows(camera, options, light, frame, with_plants);
   // Plants before the ground: what they hide need not be shaded.
   if (with_plants) {
     count(plants->draw(look.shadows));
@@ -260,7 +267,11 @@ void LandscapeRenderer::State::draw_world(const Camera& camera, const LandscapeO
     statistics.most_instance_bytes = plants->most_bytes();
   }
   if (shown_effects.reflections) {
-    effects.keep_for_water();
+    if (in_parts) {
+      mirror_whole(camera, options, frame, size, with_plants, look.shadows);
+    } else {
+      effects.keep_for_water();
+    }
     look.mirrored = drawn_planes;
   }
   count(terrain->draw(look, camera.position, frustum));
@@ -276,7 +287,8 @@ bool LandscapeRenderer::bring_in(const LandscapeOptions& options) {
   const Terrain& ground = state.snapshot->terrain();
   state.ground_complete = state.terrain->prepare(terrain_look(options, ground),
                                                  daylight(ground.latitude, options.month, options.hour).light_direction);
-  state.follow_ground();
+  state.follow_ground(!state.in_window);
+  state.plants_made = !options.plants || state.plants->advance();
   state.brought_in = true;
   return state.drawn_ground != state.terrain->shown() || !state.plants_complete || !state.animals->settled();
 }
@@ -284,9 +296,11 @@ bool LandscapeRenderer::bring_in(const LandscapeOptions& options) {
 void LandscapeRenderer::draw(const Camera& camera, const LandscapeOptions& options, int width, int height) {
   State& state = *state_;
   state.statistics = {};
-  const Effects effects = state.shown_effects =
-      state.snapshot && width > 0 && height > 0 ? effects_of(options, width, height) : Effects{};
-  if (effects.any()) state.effects.begin();
+  const Effects effects = state.shown_effects = state.snapshot && width > 0 && height > 0 ? effects_of(options) : Effects{};
+  std::array<GLint, 4> viewport{};
+  glGetIntegerv(GL_VIEWPORT, viewport.data());
+  state.in_parts = options.corner != glm::ivec2(0) || viewport[2] != width || viewport[3] != height;
+  if (effects.any()) state.effects.begin({options.corner, {width, height}});
   glViewport(-options.corner.x, -options.corner.y, width, height);
   glDisable(GL_BLEND);
   glDisable(GL_SCISSOR_TEST);
@@ -312,23 +326,31 @@ void LandscapeRenderer::State::draw_picture(const Camera& camera, const Landscap
   plants_complete = true;
   FrameUniforms uniforms = frame(camera, options, light, width, height);
   if (terrain->ready()) {
-    draw_world(camera, options, light, uniforms);
+    draw_world(camera, options, light, uniforms, {width, height});
   } else {
-    stream(frame_buffer, std::span<const FrameUniforms>(&uniforms, 1));
-    glBindBufferBase(GL_UNIFORM_BUFFER, frame_binding, frame_buffer.name());
+    set_frame(uniforms);
   }
   sky.draw(light.night, options.quality);
   count({1, 1});
   if (const int quads = fall.draw(options.weather, options.quality); quads > 0) count({2, std::size_t(2 * quads)});
 }
 
+int tile_margin(const LandscapeOptions& options, int whole_height) {
+  const Effects effects = effects_of(options);
+  return effect_margin(effects.smooth, effects.occlusion, whole_height);
+}
+
 void LandscapeRenderer::finish_loading(const Camera& camera, const LandscapeOptions& options) {
   if (!state_->snapshot) return;
   const Terrain& ground = state_->snapshot->terrain();
   state_->terrain->finish(terrain_look(options, ground), daylight(ground.latitude, options.month, options.hour).light_direction);
-  state_->follow_ground();
+  state_->follow_ground(true);
   if (options.plants) state_->plants->finish_loading(plant_look(options), camera.position);
+  // Who waits for all of it wants no picture that keeps a window's pace.
+  state_->brought_in = false;
 }
+
+bool LandscapeRenderer::all_made() const { return state_->ground_complete && state_->plants_made; }
 
 bool LandscapeRenderer::complete() const {
   return state_->ground_complete && state_->plants_complete && state_->animals->settled();

@@ -30,19 +30,26 @@ struct LandscapeOptions {
   float quality = 1;
   /// Shadows of single trees and animals, from quality 2 on; below, the shade of crowns is drawn all the same.
   bool shadows = true;
-  /// Edges are smoothed, from quality 2 on; corners and what stands in the grass are shaded, at quality 4. Not in tiles.
+  /// Edges are smoothed, from quality 2 on; corners and what stands in the grass are shaded, at quality 4.
   bool smooth_edges = true;
   bool occlusion = true;
-  /// Water mirrors the plants around it, from quality 2 on; otherwise only their colour. Not in tiles.
+  /// Water mirrors the plants around it, from quality 2 on; otherwise only their colour.
   bool reflections = true;
+  /// How long a picture waits for plants that are being made, s.
+  double patience = 0.008;
   /// Per species number of the web: false hides it. Empty shows all.
   std::vector<bool> visible_species;
   /// Brush ring on the ground: cell x, y, radius in cells.
   std::optional<glm::vec3> brush;
   /// For pictures made in tiles: the pixel of the whole picture (which draw's width and height speak of) that is the lower left
-  /// one of the framebuffer.
+  /// one of the framebuffer. What is nearer to an edge of the framebuffer than tile_margin() is right only at the whole's edges.
   glm::ivec2 corner{0};
+
+  bool operator==(const LandscapeOptions&) const = default;
 };
+
+/// Pixels around a tile that must be drawn with it, so that it is a part of the whole picture: as far as effects look.
+[[nodiscard]] int tile_margin(const LandscapeOptions& options, int whole_height);
 
 struct LandscapeStatistics {
   int draw_calls = 0;
@@ -69,6 +76,9 @@ class LandscapeRenderer {
   /// Brings in what was made in the background since the last call, for a few milliseconds; draw() does it where it was not
   /// called before. True when draw() would show something that it did not show before.
   bool bring_in(const LandscapeOptions& options);
+  /// After bring_in(): false while ground or plants of the last view drawn are still being made, so that a later picture would
+  /// show more.
+  [[nodiscard]] bool all_made() const;
   /// Draws into the framebuffer bound now, over width x height pixels.
   void draw(const Camera& camera, const LandscapeOptions& options, int width, int height);
   /// Waits until everything is there that draw() would show for that camera only after some frames (ground and plants): for

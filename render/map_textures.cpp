@@ -54,6 +54,9 @@ bool MapGround::upload(UploadBudget& budget) {
 bool MapGround::bring_in(UploadBudget& budget) {
   if (!asked_) return false;
   idle_ = !maker_.busy();
+  heights_.tidy(budget);
+  relief_.tidy(budget);
+  water_.tidy(budget);
   for (bool changed = false;; changed = true) {
     if (!coming_) take(maker_.take());
     if (!coming_ || !upload(budget)) return changed;
@@ -61,6 +64,7 @@ bool MapGround::bring_in(UploadBudget& budget) {
 }
 
 bool OverlayTexture::bring_in(const MapOverlay& wanted, UploadBudget& budget) {
+  grid_.tidy(budget);
   if (!wanted.cells || wanted.cells->empty()) return false;
   if (!grid_.coming() && shown_ && shown_->cells == wanted.cells) {
     shown_ = wanted;
@@ -82,6 +86,8 @@ void OverlayTexture::patch(const Grid<float>& cells, const Rect& rect) {
   const bool coming = coming_cells_.get() == &cells && grid_.coming();
   const Rect part = intersection(rect, cells.rect());
   if (part.empty() || (!coming && (!shown_ || shown_->cells.get() != &cells))) return;
+  // What is not begun yet will have it anyway.
+  if (coming && !grid_.back()) return;
   (void)upload_texels(coming ? grid_.back() : grid_.texture(), 0, part, cells.cells().data() + cells.index(part.x0, part.y0),
                       cells.width());
 }

@@ -33,11 +33,12 @@ PlantBlock made_block(const PlantPlacement& placement, Stratum stratum, std::pai
 
 void PlantBlockMaker::start(PlantPlacement placement, Stratum stratum, std::vector<std::pair<int, int>> places) {
   assert(!busy());
+  forget();
   work_ = std::make_shared<Work>();
   work_->placement = std::move(placement);
   work_->stratum = stratum;
   work_->places = std::move(places);
-  ended_ = std::async(std::launch::async, [work = work_] { run(*work); });
+  ended_ = thread_.start([work = work_] { run(*work); });
 }
 
 void PlantBlockMaker::stop() {
@@ -51,8 +52,18 @@ bool PlantBlockMaker::busy() const {
 PlantBlockMaker::Made PlantBlockMaker::take(std::chrono::steady_clock::time_point until) {
   if (!work_) return {};
   if (ended_.valid()) ended_.wait_until(until);
-  const std::lock_guard lock(work_->mutex);
-  return std::exchange(work_->made, {});
+  const bool ended = !busy();
+  Made made;
+  {
+    const std::lock_guard lock(work_->mutex);
+    made = std::exchange(work_->made, {});
+  }
+  if (ended) forget();
+  return made;
+}
+
+void PlantBlockMaker::forget() {
+  if (work_) thread_.retire(std::exchange(work_, nullptr));
 }
 
 void PlantBlockMaker::run(Work& work) {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/background_thread.hpp"
 #include "render/plant_placement.hpp"
 
 namespace biotope {
@@ -36,6 +37,11 @@ class PlantBlockMaker {
  public:
   using Made = std::vector<std::pair<std::pair<int, int>, PlantBlock>>;
 
+  PlantBlockMaker() = default;
+  PlantBlockMaker(const PlantBlockMaker&) = delete;
+  PlantBlockMaker& operator=(const PlantBlockMaker&) = delete;
+  ~PlantBlockMaker() { stop(); }
+
   /// Starts on a list of (row, column), in place of what it was asked for before; must not be busy.
   void start(PlantPlacement placement, Stratum stratum, std::vector<std::pair<int, int>> places);
   /// Asks it to end after the blocks it is at. What is made can still be taken.
@@ -56,9 +62,12 @@ class PlantBlockMaker {
     Made made;
   };
   static void run(Work& work);
+  /// Has what was worked on freed, which may hold the maps of an older snapshot.
+  void forget();
 
   std::shared_ptr<Work> work_;
   std::future<void> ended_;
+  BackgroundThread thread_;
 };
 
 }  // namespace biotope

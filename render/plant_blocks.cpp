@@ -15,58 +15,77 @@ constexpr double changed_first_reach = 320;
 /// Blocks that are asked for at a time: few enough to turn soon to what a camera that moved on wants.
 constexpr std::size_t most_asked = 96;
 
-/// True when the plants of two webs stand by the same rules, so that blocks of one are good for the other.
-bool same_plants(const MapsSnapshot& a, const MapsSnapshot& b) {
-  if (a.web == b.web) return true;
-  if (!a.web || !b.web || a.web->levels.empty() || b.web->levels.empty() || a.web->levels[0] != b.web->levels[0]) return false;
-  return std::all_of(a.web->levels[0].begin(), a.web->levels[0].end(),
-                     [&](int i) { return a.web->species[std::size_t(i)].traits == b.web->species[std::size_t(i)].traits; });
-}
+constexpr std::chrono::hours ever{1};
 
 }  // namespace
 
 void PlantBlocks::set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot, std::shared_ptr<const GroundLines> lines) {
-  const std::shared_ptr<const MapsSnapshot> before = std::exchange(snapshot_, std::move(snapshot));
-  const PlantGround ground_before = placement_.ground();
-  PlantGround ground{snapshot_, nullptr, nullptr, grazing_of(*snapshot_)};
-  if (lines && snapshot_->hydrology) ground.shore = lines->shore;
-  if (lines && snapshot_->trails) ground.trails = lines->trails;
-  placement_ = PlantPlacement(std::move(ground));
-  const bool kept = before && same_extent(before->terrain(), snapshot_->terrain()) &&
-                    before->document.seed == snapshot_->document.seed && same_plants(*before, *snapshot_) &&
-                    before->cover.size() == snapshot_->cover.size();
+  follow(std::move(snapshot), std::move(lines));
+  static_cast<void>(finish_changes(std::chrono::steady_clock::now() + ever));
+}
+
+void PlantBlocks::follow(std::shared_ptr<const MapsSnapshot> snapshot, std::shared_ptr<const GroundLines> lines) {
+  if (snapshot_ && !plants_stay(*snapshot_, *snapshot)) leave();
+  next_.emplace(std::move(snapshot), std::move(lines));
+  static_cast<void>(finish_changes(std::chrono::steady_clock::now()));
+}
+
+void PlantBlocks::leave() {
+  made_elsewhere_.fill(true);
+  for (PlantBlockMaker& maker : makers_) maker.stop();
+  blocks_ = {};
+  placement_ = {};
+  snapshot_ = nullptr;
+}
+
+void PlantBlocks::begin_change(std::shared_ptr<const MapsSnapshot> snapshot, std::shared_ptr<const GroundLines> lines) {
+  // What came before it may have been of another landscape.
+  if (snapshot_ && !plants_stay(*snapshot_, *snapshot)) leave();
+  change_ = std::make_shared<Change>();
+  change_->snapshot = std::move(snapshot);
+  change_->lines = std::move(lines);
+  change_->before = placement_.ground();
+  for (std::size_t s = 0; s < strata; ++s) {
+    for (const auto& entry : blocks_[s]) change_->places[s].push_back(entry.first);
+  }
+  found_ = thread_.start(
+      [change = change_] { change->found = plant_revision(change->before, change->snapshot, change->lines, change->places); });
+}
+
+bool PlantBlocks::finish_changes(std::chrono::steady_clock::time_point until) {
+  while (change_ || next_) {
+    if (change_) {
+      if (found_.wait_until(until) != std::future_status::ready) return false;
+      found_.get();
+      take_over(*change_);
+      // It holds what may be the last of an older snapshot.
+      thread_.retire(std::exchange(change_, nullptr));
+    }
+    if (next_) {
+      auto [snapshot, lines] = std::move(*next_);
+      next_.reset();
+      begin_change(std::move(snapshot), std::move(lines));
+    }
+  }
+  return true;
+}
+
+void PlantBlocks::take_over(Change& change) {
   for (PlantBlockMaker& maker : makers_) maker.stop();
   made_before_change_.fill(true);
-  if (kept) {
-    mark_changed(ground_before);
-  } else {
-    made_elsewhere_.fill(true);
-    blocks_ = {};
-  }
-}
-
-std::shared_ptr<const Grazing> PlantBlocks::grazing_of(const MapsSnapshot& snapshot) const {
-  const std::shared_ptr<const Grazing> before = placement_.ground().grazing;
-  const MapsSnapshot* then = placement_.snapshot();
-  const bool known = snapshot.complete || !snapshot.animals.empty() || then == nullptr || !same_plants(*then, snapshot) ||
-                     !same_extent(then->terrain(), snapshot.terrain());
-  if (!known) return before;
-  auto now = std::make_shared<const Grazing>(snapshot);
-  return before && now->same_as(*before) ? before : now;
-}
-
-void PlantBlocks::mark_changed(const PlantGround& before) {
-  const PlantChanges changes(before, placement_.ground());
-  if (!changes.any()) return;
-  for (int s = 0; s < strata; ++s) {
-    const double side = PlantPlacement::block_side(Stratum(s));
-    std::vector<Map::value_type*> blocks;
-    for (auto& entry : blocks_[std::size_t(s)]) blocks.push_back(&entry);
-    parallel_each(blocks.size(), [&](std::size_t i) {
-      const auto [row, column] = blocks[i]->first;
-      PlantBlock& block = blocks[i]->second;
-      block.stale = block.stale || changes.within(Stratum(s), column * side, row * side, side);
-    });
+  std::swap(placement_, change.found.placement);
+  snapshot_ = change.snapshot;
+  for (std::size_t s = 0; s < strata; ++s) {
+    // What was made while the change was being found was not looked at.
+    std::size_t looked_at = 0;
+    const auto& places = change.places[s];
+    for (auto& [place, block] : blocks_[s]) {
+      while (looked_at < places.size() && places[looked_at] < place) ++looked_at;
+      if (looked_at == places.size() || places[looked_at] != place) block.stale = true;
+    }
+    for (const auto& place : change.found.stale[s]) {
+      if (const auto found = blocks_[s].find(place); found != blocks_[s].end()) found->second.stale = true;
+    }
   }
 }
 
@@ -120,9 +139,10 @@ void PlantBlocks::take_made(Stratum stratum, std::chrono::steady_clock::time_poi
 }
 
 bool PlantBlocks::build(Stratum stratum, double x, double y, float reach, std::chrono::steady_clock::time_point until) {
-  if (!snapshot_) return true;
   const auto s = std::size_t(stratum);
-  whole_to_[s] = reach;
+  const bool followed = finish_changes(until);
+  whole_to_[s] = snapshot_ ? reach : 0;
+  if (!snapshot_) return followed;
   while (true) {
     take_made(stratum, until);
     std::vector<std::pair<int, int>> places = wanted(stratum, x, y, reach);
@@ -131,7 +151,7 @@ bool PlantBlocks::build(Stratum stratum, double x, double y, float reach, std::c
     // Where there is no more room nothing is left to be waited for.
     if (places.empty() || full) {
       note_lacking(stratum, x, y, places);
-      return true;
+      return followed;
     }
     if (makers_[s].busy()) {
       note_lacking(stratum, x, y, places);
@@ -174,9 +194,10 @@ void PlantBlocks::fill_all(Stratum stratum, std::span<const std::pair<int, int>>
 }
 
 void PlantBlocks::build_all(Stratum stratum, double x, double y, float reach) {
+  static_cast<void>(finish_changes(std::chrono::steady_clock::now() + ever));
   if (!snapshot_) return;
   makers_[std::size_t(stratum)].stop();
-  take_made(stratum, std::chrono::steady_clock::now() + std::chrono::hours(1));
+  take_made(stratum, std::chrono::steady_clock::now() + ever);
   const auto places = missing(stratum, x, y, reach);
   whole_to_[std::size_t(stratum)] = reach;
   drop_far(stratum, x, y, reach);

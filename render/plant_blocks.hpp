@@ -2,15 +2,17 @@
 
 #include <array>
 #include <chrono>
+#include <future>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "render/ground_picture.hpp"
+#include "core/base/background_thread.hpp"
 #include "render/plant_block_maker.hpp"
-#include "render/plant_placement.hpp"
+#include "render/plant_revision.hpp"
 
 namespace biotope {
 
@@ -20,6 +22,11 @@ class PlantBlocks {
  public:
   /// `lines` is the water and the trails that are drawn with the snapshot; null: plants keep away from the cells of water only.
   void set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot, std::shared_ptr<const GroundLines> lines = nullptr);
+  /// The same for who must not wait: another thread finds what changed, and until a later build() takes that over all is as it
+  /// was before. Of what is given meanwhile only the newest counts.
+  void follow(std::shared_ptr<const MapsSnapshot> snapshot, std::shared_ptr<const GroundLines> lines);
+  /// True while blocks are not yet known to be those of the newest snapshot.
+  [[nodiscard]] bool following() const { return change_ != nullptr; }
 
   /// Has blocks of a stratum built that lie within `reach` metres of (x, y): those near (x, y) whose plants an edit has changed
   /// first, then nearest first. Waits for them until `until`; what is not there by then comes with a later call. Returns false
@@ -48,15 +55,26 @@ class PlantBlocks {
   void take_made(Stratum stratum, std::chrono::steady_clock::time_point until);
   /// Builds blocks on all threads.
   void fill_all(Stratum stratum, std::span<const std::pair<int, int>> places);
-  /// Makes the blocks stale on whose ground something is another than it was.
-  void mark_changed(const PlantGround& before);
-  /// What is eaten of a snapshot; of one whose animals are not known yet, what was eaten before it.
-  [[nodiscard]] std::shared_ptr<const Grazing> grazing_of(const MapsSnapshot& snapshot) const;
+  /// A newer snapshot, and what another thread finds in it.
+  struct Change {
+    std::shared_ptr<const MapsSnapshot> snapshot;
+    std::shared_ptr<const GroundLines> lines;
+    PlantGround before;
+    PlantBlockPlaces places;
+    PlantRevision found;
+  };
+  /// Gives up all blocks: nothing of another landscape is good in the next.
+  void leave();
+  void begin_change(std::shared_ptr<const MapsSnapshot> snapshot, std::shared_ptr<const GroundLines> lines);
+  /// Takes over what was found by then, and goes on to what came meanwhile; false while something is left to be found.
+  bool finish_changes(std::chrono::steady_clock::time_point until);
+  void take_over(Change& change);
   void drop_far(Stratum stratum, double x, double y, float reach);
   /// Sets how far all blocks are there, where the first that lacks is one of these, nearest first.
   void note_lacking(Stratum stratum, double x, double y, std::span<const std::pair<int, int>> left);
 
   PlantPlacement placement_;
+  /// Null before the first one, and until plants of another landscape are known.
   std::shared_ptr<const MapsSnapshot> snapshot_;
   std::array<Map, strata> blocks_;
   std::uint32_t versions_ = 0;
@@ -66,6 +84,11 @@ class PlantBlocks {
   /// Whether the maps changed since a maker began; and whether what it makes is for another landscape.
   std::array<bool, strata> made_before_change_{};
   std::array<bool, strata> made_elsewhere_{};
+  std::shared_ptr<Change> change_;
+  std::future<void> found_;
+  /// What came while a change was being found: a snapshot and its lines.
+  std::optional<std::pair<std::shared_ptr<const MapsSnapshot>, std::shared_ptr<const GroundLines>>> next_;
+  BackgroundThread thread_;
 };
 
 }  // namespace biotope

@@ -7,6 +7,7 @@
 
 #include "core/base/parallel.hpp"
 #include "render/plant_leaves.hpp"
+#include "render/plant_mesh_order.hpp"
 #include "render/plant_undergrowth.hpp"
 
 namespace biotope {
@@ -46,7 +47,7 @@ Texture leaf_texture() {
                                        {GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_MIRRORED_REPEAT});
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    const std::vector<Grid<Rgba>> levels = leaf_mipmaps(pictures[i]);
+    const std::vector<Grid<Rgba>> levels = leaf_mipmaps(LeafPicture(i), pictures[i]);
     for (std::size_t level = 0; level < levels.size(); ++level) {
       const Grid<Rgba>& texels = levels[level];
       glTextureSubImage3D(texture.name(), GLint(level), 0, 0, GLint(i), texels.width(), texels.height(), 1, GL_RGBA,
@@ -94,7 +95,8 @@ glm::vec3 leaf_in_sward(const PlantKind& kind, const std::array<float, 3>& colou
 PlantMeshBuffers upload(const PlantMesh& mesh) {
   PlantMeshBuffers out;
   out.vertices = make_static_buffer(std::as_bytes(std::span(mesh.vertices)));
-  out.indices = make_static_buffer(std::as_bytes(std::span(mesh.indices)));
+  const std::vector<std::uint16_t> indices = ordered_indices(mesh);
+  out.indices = make_static_buffer(std::as_bytes(std::span(indices)));
   out.array = make_vertex_array();
   out.index_count = GLsizei(mesh.indices.size());
   glVertexArrayElementBuffer(out.array.name(), out.indices.name());
@@ -191,7 +193,10 @@ void PlantKinds::set_month(const FoodWeb& web, int month) {
     kind.foliage = foliage;
   }
   for (std::size_t i = 0; i < undergrowth_.size(); ++i) {
-    undergrowth_[i].foliage = seasonal_foliage(undergrowth_look(Undergrowth(i)).traits, month);
+    // Ferns and herbs of the shade wither a month before the meadows.
+    const UndergrowthLook look = undergrowth_look(Undergrowth(i));
+    const bool withers = look.traits.stratum == Stratum::herb && month >= 8 && month < 11;
+    undergrowth_[i].foliage = seasonal_foliage(look.traits, withers ? month + 1 : month);
   }
   upload_kinds();
   take_pictures();
@@ -280,6 +285,13 @@ void PlantKinds::take_picture(const PlantKind& kind, int model, float elevation)
   const PlantMeshBuffers& mesh = kind.near[std::size_t(model)];
   glBindVertexArray(mesh.array.name());
   glDrawElements(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_SHORT, nullptr);
+}
+
+void PlantKinds::set_quality(float quality) const {
+  constexpr float medium = 0.75F;
+  for (const Texture* texture : {&leaves_, &far_pictures_, &far_surfaces_}) {
+    if (*texture) mix_mipmaps(texture->name(), quality >= medium);
+  }
 }
 
 void PlantKinds::bind() const {

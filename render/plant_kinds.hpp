@@ -49,9 +49,9 @@ class DrawnElsewhere {
 /// A mesh on the graphics side.
 struct PlantMeshBuffers {
   Buffer vertices;
-  Buffer indices;
+  Buffer indices;  ///< in all orders of plant_mesh_order.hpp
   VertexArray array;
-  GLsizei index_count = 0;
+  GLsizei index_count = 0;  ///< of one order
 };
 /// Uploads a mesh; binding 1 of its array takes PlantInstance per instance (attributes 4 and 5).
 [[nodiscard]] PlantMeshBuffers upload(const PlantMesh& mesh);
@@ -94,6 +94,8 @@ class PlantKinds {
   [[nodiscard]] const std::vector<PlantKind>& kinds() const { return kinds_; }
   /// By Undergrowth: its mesh is near[0].
   [[nodiscard]] const std::vector<PlantKind>& undergrowth() const { return undergrowth_; }
+  /// Below medium quality pictures take the nearest of their mipmaps.
+  void set_quality(float quality) const;
   /// Binds leaf pictures, far pictures and what the shaders know of kinds.
   void bind() const;
   /// Only the last of these.

@@ -74,13 +74,32 @@ Grid<Rgba> leafy(int leaves, float leaf_length, float slender, float spread, flo
   return canvas.take();
 }
 
-/// What is left of a spray in winter.
-Grid<Rgba> bare_twigs() {
+/// Half the width of twigs that are drawn from however far.
+constexpr float kept_twig = 0.0039F;
+
+/// What is left of a spray in winter. No twig is thinner than `least` (half its width), and those that are much thinner are left
+/// out: from afar lines stay lines where they would be dots.
+Grid<Rgba> bare_twigs(float least) {
   LeafCanvas canvas(8);
   for (const Shoot& shoot : spray(canvas, 0.75F)) {
-    canvas.stroke(shoot.from, shoot.to, shoot.half_width, shoot.half_width * 0.75F, {canvas.between(0.75F, 1.05F), 0, 1});
+    const float shade = canvas.between(0.75F, 1.05F);
+    if (shoot.half_width < std::min(0.4F * least, kept_twig)) continue;
+    canvas.stroke(shoot.from, shoot.to, std::max(least, shoot.half_width), std::max(least, shoot.half_width * 0.75F),
+                  {shade, 0, 1});
   }
   return canvas.take();
+}
+
+/// Twigs in each of their sizes: drawn anew with lines a little wider than a texel.
+std::vector<Grid<Rgba>> twig_mipmaps(const Grid<Rgba>& whole) {
+  constexpr float half_texel = 0.52F;
+  std::vector<Grid<Rgba>> levels{whole};
+  for (int level = 1; whole.width() >> level >= 4; ++level) {
+    Grid<Rgba> drawn = bare_twigs(half_texel * float(1 << level) / float(leaf_picture_side));
+    for (int i = 0; i < level; ++i) drawn = halved(drawn);
+    levels.push_back(std::move(drawn));
+  }
+  return levels;
 }
 
 /// Brushes of long needles at the ends of a fan of twigs.
@@ -266,7 +285,12 @@ Grid<Rgba> halved(const Grid<Rgba>& picture) {
   return out;
 }
 
-std::vector<Grid<Rgba>> leaf_mipmaps(const Grid<Rgba>& picture) {
+std::vector<Grid<Rgba>> leaf_mipmaps(LeafPicture which, const Grid<Rgba>& picture) {
+  if (which == LeafPicture::twigs) {
+    std::vector<Grid<Rgba>> levels = twig_mipmaps(picture);
+    for (Grid<Rgba>& level : levels) fill_holes(level);
+    return levels;
+  }
   std::vector<Grid<Rgba>> levels{picture};
   fill_holes(levels.front());
   const double share = share_above(picture, 128);
@@ -293,7 +317,7 @@ std::vector<Grid<Rgba>> leaf_pictures() {
       {LeafPicture::blades, blades},
       {LeafPicture::rosette, rosette},
       {LeafPicture::flower, flowers},
-      {LeafPicture::twigs, bare_twigs},
+      {LeafPicture::twigs, [] { return bare_twigs(0); }},
       {LeafPicture::airy, [] { return leafy(260, 0.058F, 0.36F, 0.5F, 0.5F, 10); }},
       {LeafPicture::flower_head, flower_head},
       {LeafPicture::pale_bark, birch_bark},

@@ -15,7 +15,7 @@ inline constexpr int leaf_picture_side = 256;
 
 /// A picture and its mipmaps down to 4 texels. Colours are those of what is covered, so that nothing bleeds in from the holes,
 /// and the share of texels that pass an alpha test at one half stays what it is in the picture: foliage does not thin out from
-/// afar.
-[[nodiscard]] std::vector<Grid<Rgba>> leaf_mipmaps(const Grid<Rgba>& picture);
+/// afar. Bare twigs are drawn anew in each size.
+[[nodiscard]] std::vector<Grid<Rgba>> leaf_mipmaps(LeafPicture which, const Grid<Rgba>& picture);
 
 }  // namespace biotope

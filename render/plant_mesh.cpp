@@ -136,6 +136,37 @@ void PlantMeshBuilder::strip(std::span<const glm::vec3> points, std::span<const 
   }
 }
 
+CardBox card_box(LeafPicture picture) {
+  switch (picture) {
+    case LeafPicture::broad:
+      return {{0.14F, 0}, {0.81F, 1}};
+    case LeafPicture::small:
+      return {{0.18F, 0}, {0.87F, 1}};
+    case LeafPicture::airy:
+      return {{0.18F, 0}, {0.72F, 1}};
+    case LeafPicture::needles:
+      return {{0.01F, 0.04F}, {0.98F, 0.98F}};
+    case LeafPicture::blades:
+      return {{0, 0}, {1, 0.84F}};
+    case LeafPicture::rosette:
+      return {{0.07F, 0}, {0.99F, 0.94F}};
+    case LeafPicture::flower:
+      return {{0.21F, 0}, {0.89F, 0.87F}};
+    case LeafPicture::flower_head:
+      return {{0.07F, 0.03F}, {0.88F, 0.97F}};
+    case LeafPicture::birch_spray:
+      return {{0.05F, 0}, {0.95F, 0.86F}};
+    case LeafPicture::pine_spray:
+      return {{0.06F, 0.04F}, {0.95F, 0.93F}};
+    case LeafPicture::scale_spray:
+      return {{0.17F, 0}, {0.93F, 1}};
+    case LeafPicture::frond:
+      return {{0.13F, 0}, {0.87F, 1}};
+    default:
+      return {};
+  }
+}
+
 void PlantMeshBuilder::card(const FoliageCard& card, const CrownForm* bunch) {
   const std::size_t first = mesh_.vertices.size();
   const glm::vec3 right = glm::normalize(glm::cross(card.upright, card.facing));
@@ -143,10 +174,11 @@ void PlantMeshBuilder::card(const FoliageCard& card, const CrownForm* bunch) {
   const float fall = random.unit();
   // Columns from left to right; a folded card's middle stands out and its tip bends down over the rest.
   const int columns = card.fold > 0 ? 3 : 2;
+  const CardBox box = card_box(card.picture);
   for (int column = 0; column < columns; ++column) {
-    const float u = float(column) / float(columns - 1);
+    const float u = column == 0 ? box.low.x : column == columns - 1 ? box.high.x : 0.5F;
     const float out = columns == 3 && column == 1 ? card.fold * card.width : 0.0F;
-    for (const float v : {0.0F, 1.0F}) {
+    for (const float v : {box.low.y, box.high.y}) {
       const glm::vec3 at = card.centre + right * ((u - 0.5F) * card.width) + up * ((v - 0.5F) * card.height) +
                            card.facing * (out - 0.7F * card.fold * card.height * v);
       const glm::vec3 faces = glm::normalize(card.facing + right * (card.fold * 3 * (u - 0.5F)));

@@ -43,6 +43,14 @@ inline constexpr int leaf_picture_count = 24;
          picture == LeafPicture::plated_bark || picture == LeafPicture::stone;
 }
 
+/// The part of a foliage picture that is not empty, 0..1: cards are as large as that and no larger, for the holes of a card cost
+/// as much as its leaves. Bare twigs share the cards of leaves.
+struct CardBox {
+  glm::vec2 low{0};
+  glm::vec2 high{1};
+};
+[[nodiscard]] CardBox card_box(LeafPicture picture);
+
 /// What the plant shaders read per vertex.
 struct PlantVertex {
   glm::vec3 position;  ///< m, the foot of the stem at the origin, z up

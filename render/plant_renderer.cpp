@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "render/landscape_renderer.hpp"
+#include "render/plant_mesh_order.hpp"
 #include "render/season.hpp"
 
 namespace biotope {
@@ -40,6 +41,27 @@ void draw_instances(const PlantMeshBuffers& mesh, const Buffer& instances, std::
   glDrawElementsInstanced(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_SHORT, nullptr, GLsizei(count));
   ++drawn.draw_calls;
   drawn.triangles += count * std::size_t(mesh.index_count / 3);
+}
+
+/// The same for plants of which each shows its triangles in the order in which the eye meets them.
+void draw_ordered(const PlantMeshBuffers& mesh, const Buffer& instances, std::size_t first, std::span<const PlantInstance> plants,
+                  const glm::vec3& eye, const Buffer& commands, DrawCount& drawn) {
+  std::vector<MeshDraw> runs;
+  for (std::size_t i = 0; i < plants.size(); ++i) {
+    const auto from = std::uint32_t(mesh_order(plants[i], eye)) * std::uint32_t(mesh.index_count);
+    if (runs.empty() || runs.back().first_index != from)
+      runs.push_back({std::uint32_t(mesh.index_count), 0, from, 0, std::uint32_t(i)});
+    ++runs.back().plants;
+  }
+  stream(commands, std::span<const MeshDraw>(runs));
+  glVertexArrayVertexBuffer(mesh.array.name(), 1, instances.name(), GLintptr(first * sizeof(PlantInstance)),
+                            sizeof(PlantInstance));
+  glBindVertexArray(mesh.array.name());
+  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands.name());
+  glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, nullptr, GLsizei(runs.size()), 0);
+  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+  ++drawn.draw_calls;
+  drawn.triangles += plants.size() * std::size_t(mesh.index_count / 3);
 }
 
 /// Draws a square for plants of the arena; returns how many.
@@ -84,6 +106,7 @@ Result<std::unique_ptr<PlantRenderer>> PlantRenderer::create() {
   }
   renderer->instances_ = make_buffer();
   renderer->far_draws_ = make_buffer();
+  renderer->mesh_draws_ = make_buffer();
   renderer->shade_draws_ = make_buffer();
   renderer->far_array_ = make_vertex_array();
   instance_attributes(renderer->far_array_);
@@ -95,7 +118,8 @@ Result<std::unique_ptr<PlantRenderer>> PlantRenderer::create() {
   return renderer;
 }
 
-void PlantRenderer::set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot, std::shared_ptr<const GroundLines> lines) {
+void PlantRenderer::set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot, std::shared_ptr<const GroundLines> lines,
+                                 bool at_once) {
   // Until the plants of an edit are known, those from before it stay in sight.
   const bool waits = snapshot_ && !snapshot->complete && lacks_plants(*snapshot) &&
                      snapshot_->document.species == snapshot->document.species &&
@@ -104,8 +128,32 @@ void PlantRenderer::set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot, s
   const bool new_web = snapshot->web && (!snapshot_ || snapshot_->web != snapshot->web);
   if (new_web) kinds_.set_web(*snapshot->web);
   snapshot_ = snapshot;
-  blocks_.set_snapshot(std::move(snapshot), std::move(lines));
+  if (at_once) {
+    blocks_.set_snapshot(std::move(snapshot), std::move(lines));
+  } else {
+    blocks_.follow(std::move(snapshot), std::move(lines));
+  }
+  complete_ = false;
   shaded_area_ = glm::vec4(0);
+}
+
+bool PlantRenderer::advance() {
+  if (complete_ || !snapshot_) return true;
+  return build(std::chrono::steady_clock::now());
+}
+
+bool PlantRenderer::build(std::chrono::steady_clock::time_point until) {
+  bool complete = true;
+  // All of them are begun before one is waited for.
+  for (const auto time : {std::min(until, std::chrono::steady_clock::now()), until}) {
+    complete = true;
+    for (const Stratum stratum : {Stratum::herb, Stratum::tree, Stratum::shrub}) {
+      const float reach = prepared_reach_[std::size_t(stratum)];
+      if (reach > 0) complete = blocks_.build(stratum, prepared_eye_.x, prepared_eye_.y, reach, time) && complete;
+    }
+    if (complete) break;
+  }
+  return complete && !blocks_.following();
 }
 
 bool PlantRenderer::sees(Stratum stratum, const PlantBudget& budget, const glm::dvec3& eye) const {
@@ -133,22 +181,23 @@ bool PlantRenderer::prepare(const PlantLook& look, const glm::dvec3& eye, const 
     upload_selection();
     return true;
   }
+  kinds_.set_quality(look.quality);
   kinds_.set_month(*snapshot_->web, northern_month(look.month, snapshot_->terrain().latitude));
   PlantBudget budget = PlantBudget::of(look.quality);
   // From higher up than one sees trees, the ground shows all of them.
   if (!sees(Stratum::tree, budget, eye)) budget.tree_reach = 0;
   blocks_.set_most_bytes(budget.block_bytes());
   const auto until = std::chrono::steady_clock::now() + std::chrono::microseconds(std::int64_t(1000 * budget_ms));
-  bool complete = true;
   std::array<float, strata> shading{};
   for (const Stratum stratum : {Stratum::tree, Stratum::shrub}) {
     if (sees(stratum, budget, eye)) shading[std::size_t(stratum)] = budget.reach(stratum);
   }
   if (std::exchange(shading_reach_, shading) != shading) shaded_area_ = glm::vec4(0);
+  prepared_eye_ = eye;
   for (const Stratum stratum : {Stratum::herb, Stratum::tree, Stratum::shrub}) {
-    if (budget.reach(stratum) > 0 && sees(stratum, budget, eye))
-      complete = blocks_.build(stratum, eye.x, eye.y, budget.reach(stratum), until) && complete;
+    prepared_reach_[std::size_t(stratum)] = sees(stratum, budget, eye) ? budget.reach(stratum) : 0;
   }
+  bool complete = build(until);
   UploadBudget upload;
   for (const Stratum stratum : {Stratum::tree, Stratum::shrub}) {
     complete = arena_.follow(blocks_, stratum, budget.resident, {eye.x, eye.y}, upload) && complete;
@@ -226,11 +275,15 @@ DrawCount PlantRenderer::draw_shade(const glm::vec4& area, const glm::vec3& ligh
 DrawCount PlantRenderer::draw(bool shadows) const {
   kinds_.bind();
   DrawCount drawn;
-  for (const DrawCount& part : {draw_meshes(shadows ? shadowed_mesh_program_ : mesh_program_),
-                                draw_tufts(shadows ? shadowed_tuft_program_ : tuft_program_), draw_far()}) {
+  const auto add = [&](const DrawCount& part) {
     drawn.draw_calls += part.draw_calls;
     drawn.triangles += part.triangles;
-  }
+    // Where processors draw, others fill these pixels while this one goes on to the next vertices.
+    glFlush();
+  };
+  add(draw_meshes(shadows ? shadowed_mesh_program_ : mesh_program_));
+  add(draw_tufts(shadows ? shadowed_tuft_program_ : tuft_program_));
+  add(draw_far());
   return drawn;
 }
 
@@ -253,7 +306,7 @@ DrawCount PlantRenderer::draw_meshes(const ShaderProgram& program) const {
       if (level.lists[i].empty()) continue;
       const PlantKind& kind = kinds_.kinds()[i / plant_models];
       set_wood(program, kind);
-      draw_instances((kind.*level.meshes)[i % plant_models], instances_, first, level.lists[i].size(), drawn);
+      draw_ordered((kind.*level.meshes)[i % plant_models], instances_, first, level.lists[i], selection_.eye, mesh_draws_, drawn);
       first += level.lists[i].size();
     }
   }

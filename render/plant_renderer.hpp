@@ -24,12 +24,16 @@ class PlantRenderer {
  public:
   [[nodiscard]] static Result<std::unique_ptr<PlantRenderer>> create();
 
-  /// `lines` is the water and the trails that the ground shows with the snapshot.
-  void set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot, std::shared_ptr<const GroundLines> lines);
+  /// `lines` is the water and the trails that the ground shows with the snapshot. Unless it has to be `at_once`, another thread
+  /// finds what changed.
+  void set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot, std::shared_ptr<const GroundLines> lines, bool at_once);
+  /// Goes on with what other threads find and make for what was prepared last, without waiting for them. True when all of it is
+  /// there.
+  bool advance();
   /// Builds every block that an eye there needs, on all threads.
   void finish_loading(const PlantLook& look, const glm::dvec3& eye);
-  /// Builds missing blocks for at most `budget_ms`, and chooses what is drawn. Call before the frame's other draws. Returns false
-  /// when blocks are still missing.
+  /// Waits for missing blocks for at most `budget_ms`, and chooses what is drawn. Call before the frame's other draws. Returns
+  /// false when blocks are still missing.
   bool prepare(const PlantLook& look, const glm::dvec3& eye, const FrameUniforms& frame, const Frustum& frustum,
                double budget_ms);
   /// Draws the shade of crowns around the eye into a texture and binds it to TerrainRenderer::canopy_shade_unit.
@@ -46,6 +50,8 @@ class PlantRenderer {
   [[nodiscard]] const PlantBlocks& blocks() const { return blocks_; }
   [[nodiscard]] const PlantArena& arena() const { return arena_; }
   [[nodiscard]] const PlantKinds& kinds() const { return kinds_; }
+  /// Metres around the eye within which a stratum's plants throw shade; 0 where they are not seen.
+  [[nodiscard]] float shading_reach(Stratum stratum) const { return shading_reach_[std::size_t(stratum)]; }
   /// Where they stand.
   [[nodiscard]] const PlantPlacement& placement() const { return blocks_.placement(); }
   [[nodiscard]] std::size_t plants_drawn() const { return selection_.count; }
@@ -56,6 +62,8 @@ class PlantRenderer {
  private:
   PlantRenderer() = default;
   [[nodiscard]] bool sees(Stratum stratum, const PlantBudget& budget, const glm::dvec3& eye) const;
+  /// Builds what was prepared, and waits for it until then.
+  bool build(std::chrono::steady_clock::time_point until);
   void upload_selection();
   [[nodiscard]] std::vector<FarDraw> shading_blocks(const glm::vec4& area) const;
   DrawCount draw_meshes(const ShaderProgram& program) const;
@@ -77,6 +85,7 @@ class PlantRenderer {
   /// Plants chosen for this frame, one list after the other.
   Buffer instances_;
   Buffer far_draws_;
+  Buffer mesh_draws_;
   Buffer shade_draws_;
   VertexArray far_array_;
   VertexArray shade_array_;
@@ -89,6 +98,9 @@ class PlantRenderer {
   /// Metres around the eye from which plants throw shade, by stratum; 0 where they are not seen.
   std::array<float, strata> shading_reach_{};
   bool complete_ = false;
+  /// Where the eye was and how far it saw plants, by stratum (0: none), when they were prepared.
+  glm::dvec3 prepared_eye_{0};
+  std::array<float, strata> prepared_reach_{};
 };
 
 }  // namespace biotope

@@ -17,10 +17,11 @@ constexpr float thinning = 0.3F;
 /// Within this distance every tuft is drawn, m; beyond it fewer and fewer.
 constexpr float dense_tufts = 6;
 
-/// A plant that may be a mesh, and its height on the screen.
+/// A plant that may be a mesh, its height on the screen and its distance.
 struct Candidate {
   float pixels;
   const PlantInstance* plant;
+  float distance;
 };
 
 /// Height on the screen of a plant; those of a high rank count as a little taller. The same as in plant_lod.glsl.
@@ -34,6 +35,11 @@ float height_of_last(std::vector<Candidate>& list, std::size_t most, float least
   const auto last = list.begin() + std::ptrdiff_t(most);
   std::nth_element(list.begin(), last, list.end(), [](const Candidate& a, const Candidate& b) { return a.pixels > b.pixels; });
   return std::max(least, last->pixels / overlap);
+}
+
+/// What is drawn first hides what is behind it, of which then only the depth is looked at.
+void nearest_first(std::vector<Candidate>& list) {
+  std::sort(list.begin(), list.end(), [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
 }
 
 /// Share of far plants that are left at a distance.
@@ -62,6 +68,7 @@ class Selector {
     }
     out_.tuft_change = {0.7F * budget.blade_reach, budget.blade_reach};
     out_.herb_reach = budget.herb_reach;
+    out_.eye = eye_;
     for (auto* lists : {&out_.close, &out_.near, &out_.mid}) lists->resize(plant_models * kinds_.size());
     out_.near_tufts.resize(kinds_.size());
     out_.far_tufts.resize(kinds_.size());
@@ -83,6 +90,9 @@ class Selector {
       }
     }
     meshes();
+    for (auto& list : seen) {
+      std::stable_sort(list.begin(), list.end(), [](const SeenBlock& a, const SeenBlock& b) { return a.distance < b.distance; });
+    }
     // Trees first: what they leave of the budget is the shrubs'.
     std::size_t left = budget_.far;
     for (const std::size_t s : {std::size_t(Stratum::tree), std::size_t(Stratum::shrub)}) {
@@ -115,6 +125,7 @@ class Selector {
       std::nth_element(tufts.begin(), last, tufts.end(), [&](const auto& a, const auto& b) { return need(a) < need(b); });
       tufts.erase(last, tufts.end());
     }
+    std::sort(tufts.begin(), tufts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for (const auto& [distance, plant] : tufts) {
       const auto kind = std::size_t(plant->plant);
       if (distance < out_.tuft_change.y) out_.near_tufts[kind].push_back(*plant);
@@ -134,10 +145,11 @@ class Selector {
         const float pixels = seen_pixels(offset, extent.height * plant.scale, plant.rank);
         if (pixels < overlap * budget_.undergrowth_pixels || !frustum_.meets_sphere(offset, extent.radius * plant.scale + 1))
           continue;
-        found.push_back({pixels, &plant});
+        found.push_back({pixels, &plant, glm::length(offset)});
       }
     }
     out_.undergrowth_pixels = height_of_last(found, budget_.undergrowth, budget_.undergrowth_pixels);
+    nearest_first(found);
     for (const Candidate& one : found) {
       if (one.pixels <= overlap * out_.undergrowth_pixels) continue;
       out_.undergrowth[std::size_t(one.plant->plant) - first_undergrowth_kind].push_back(*one.plant);
@@ -178,7 +190,7 @@ class Selector {
       if (pixels < overlap * budget_.mid_pixels) continue;
       const float radius = std::max(0.5F * height, extent.radius * plant.scale) * 1.25F;
       if (!frustum_.meets_sphere(offset + glm::vec3(0, 0, 0.5F * height), radius)) continue;
-      candidates_.push_back({pixels, &plant});
+      candidates_.push_back({pixels, &plant, glm::length(offset + glm::vec3(0, 0, 0.5F * height))});
     }
   }
 
@@ -187,6 +199,7 @@ class Selector {
     const float near = std::max(mid, height_of_last(candidates_, budget_.near, budget_.near_pixels));
     const float close = std::max(near, height_of_last(candidates_, budget_.close, budget_.close_pixels));
     for (PlantLevels& levels : out_.levels) levels = {close, near, mid, 0, 0};
+    nearest_first(candidates_);
     for (const Candidate& candidate : candidates_) {
       if (candidate.pixels <= overlap * mid) continue;
       const PlantInstance& plant = *candidate.plant;
@@ -274,7 +287,7 @@ PlantBudget PlantBudget::of(float quality) {
   const float meshes = q <= 1 ? std::pow(q, 2.5F) : q;
   budget.near = times(budget.near, meshes);
   budget.mid = times(budget.mid, meshes);
-  budget.close = q < 0.75F ? 0 : times(budget.close, std::pow(q, 1.5F));
+  budget.close = times(budget.close, std::pow(q, 1.5F));
   budget.undergrowth = times(budget.undergrowth, q <= 1 ? q * q : std::pow(q, 1.6F));
   // A GPU draws far plants by the million; a processor counts each.
   const float far = q <= 1 ? q : std::pow(q, 2.9F);

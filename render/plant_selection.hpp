@@ -58,7 +58,16 @@ struct FarDraw {
   std::uint32_t first_plant = 0;
 };
 
-/// What is drawn in a frame. Meshes by kind and model (plant_models * kind + model); tufts by kind.
+/// What glMultiDrawElementsIndirect reads of a run of plants.
+struct MeshDraw {
+  std::uint32_t indices = 0;
+  std::uint32_t plants = 0;
+  std::uint32_t first_index = 0;
+  std::uint32_t first_vertex = 0;
+  std::uint32_t first_plant = 0;
+};
+
+/// What is drawn in a frame, the nearest first. Meshes by kind and model (plant_models * kind + model); tufts by kind.
 struct PlantSelection {
   std::vector<std::vector<PlantInstance>> close;
   std::vector<std::vector<PlantInstance>> near;
@@ -75,6 +84,7 @@ struct PlantSelection {
   glm::vec2 tuft_change{0};
   float herb_reach = 0;
   std::size_t count = 0;
+  glm::vec3 eye{0};
 };
 
 /// Chooses level of detail by size on the screen and by the budget: a function of blocks and view alone. Far plants are drawn

@@ -9,22 +9,31 @@ namespace {
 
 /// A near square wider than this (m, half a side) is for an eye high up, which sees no single leaves.
 constexpr float widest_for_meshes = 60;
+/// What throws its shadow into the near square from farther away than this (m, from its middle) is no mesh: low light brings the
+/// shadows of a whole wood.
+constexpr double mesh_reach = 70;
 /// Plants are at most this much larger than the mesh of their kind.
 constexpr float largest_scale = 1.2F * largest_plant_scale;
+/// Shadows of leaves move in steps of this, s.
+constexpr double wind_step = 0.125;
 
-using InstanceLists = std::vector<std::vector<PlantInstance>>;
+/// Plants by kind and model, and those that are drawn as pictures.
+struct Casters {
+  std::vector<std::vector<PlantInstance>> meshes;
+  std::vector<PlantInstance> pictures;
+};
 
-/// A ball that holds a block's plants, relative to the eye.
+/// A ball that holds a block's plants.
 struct Ball {
-  glm::vec3 centre;
+  glm::dvec3 centre;
   float radius;
 };
 
-Ball ball_of(std::pair<int, int> place, const PlantBlock& block, float tallest, const glm::dvec3& eye) {
+Ball ball_of(std::pair<int, int> place, const PlantBlock& block, float tallest) {
   const double side = woody_block_side;
   const double rise = 0.5 * double(block.high - block.low + tallest);
-  const glm::dvec3 centre((place.second + 0.5) * side, (place.first + 0.5) * side, double(block.low) + rise);
-  return {glm::vec3(centre - eye), float(std::hypot(0.71 * side, rise)) + 4};
+  return {{(place.second + 0.5) * side, (place.first + 0.5) * side, double(block.low) + rise},
+          float(std::hypot(0.71 * side, rise)) + 4};
 }
 
 float tallest_of(const std::vector<PlantKind>& kinds, Stratum stratum) {
@@ -35,32 +44,71 @@ float tallest_of(const std::vector<PlantKind>& kinds, Stratum stratum) {
   return tallest;
 }
 
-/// Plants that throw shadows into the nearest square, by kind and model.
-InstanceLists near_casters(const PlantRenderer& plants, const SpeciesVisibility& visible, const glm::dvec3& eye,
-                           const ShadowView& view) {
+/// Plants that throw shadows into the nearest square.
+Casters near_casters(const PlantRenderer& plants, const PlantShadowPicture& picture) {
   const std::vector<PlantKind>& kinds = plants.kinds().kinds();
-  InstanceLists lists(plant_models * kinds.size());
-  for (const Stratum stratum : {Stratum::tree, Stratum::shrub}) {
-    const float tallest = tallest_of(kinds, stratum);
-    for (const auto& [place, block] : plants.blocks().blocks(stratum)) {
-      const Ball ball = ball_of(place, block, tallest, eye);
-      if (!casts_into(view, 0, ball.centre, ball.radius)) continue;
-      for (const PlantInstance& plant : block.plants) {
-        const auto k = std::size_t(plant.plant);
-        if (k >= kinds.size()) continue;
-        const auto species = std::size_t(kinds[k].species);
-        if (species < visible.size() && !visible[species]) continue;
-        const float half = 0.5F * kinds[k].extent.height * plant.scale;
-        const glm::vec3 centre(glm::dvec3(plant.x, plant.y, plant.z + half) - eye);
-        if (!casts_into(view, 0, centre, half + kinds[k].extent.radius * plant.scale)) continue;
-        lists[plant_models * k + std::size_t(model_of(plant))].push_back(plant);
+  Casters out;
+  out.meshes.resize(plant_models * kinds.size());
+  for (const PlantShadowPicture::Block& place : picture.blocks) {
+    const auto& blocks = plants.blocks().blocks(place.stratum);
+    const auto block = blocks.find({place.row, place.column});
+    if (block == blocks.end()) continue;
+    for (const PlantInstance& plant : block->second.plants) {
+      const auto k = std::size_t(plant.plant);
+      if (k >= kinds.size()) continue;
+      const auto species = std::size_t(kinds[k].species);
+      if (species < picture.visible.size() && !picture.visible[species]) continue;
+      const float half = 0.5F * kinds[k].extent.height * plant.scale;
+      const glm::vec3 centre(glm::dvec3(plant.x, plant.y, plant.z + half) - glm::dvec3(picture.origin));
+      const glm::vec2 at(glm::dot(picture.right, centre), glm::dot(picture.up, centre));
+      const glm::vec2 away = glm::abs(at - glm::vec2(picture.from_origin));
+      if (std::max(away.x, away.y) >= picture.half_side + half + kinds[k].extent.radius * plant.scale) continue;
+      if (glm::length(glm::dvec2(centre)) > mesh_reach) {
+        out.pictures.push_back(plant);
+      } else {
+        out.meshes[plant_models * k + std::size_t(model_of(plant))].push_back(plant);
       }
     }
   }
-  return lists;
+  return out;
+}
+
+void set_square(const ShaderProgram& program, const PlantShadowPicture& picture) {
+  program.set("origin", picture.origin);
+  program.set("square", glm::vec4(glm::vec2(picture.from_origin), picture.half_side, picture.from_origin.z));
 }
 
 }  // namespace
+
+PlantShadowPicture shadow_picture(const PlantRenderer& plants, const PlantShadowLook& look, const ShadowView& view, int cascade) {
+  const ShadowCascade& square = view.cascades[std::size_t(cascade)];
+  PlantShadowPicture out{
+      cascade,      view.right, view.up, view.toward, view.reach, square.half_side, square.origin, square.from_origin, look.web,
+      look.visible, look.month, {},      false,       {}};
+  out.meshes = cascade == 0 && square.half_side <= widest_for_meshes;
+  if (out.meshes && glm::length(glm::dvec2(look.wind)) > 0) {
+    out.wind = glm::vec3(look.wind.x, look.wind.y, std::floor(look.wind.z / wind_step) * wind_step);
+  }
+  const double side = woody_block_side;
+  for (const Stratum stratum : {Stratum::tree, Stratum::shrub}) {
+    // Blocks that are there from wherever the eye has this square, and not those that are left from an earlier view.
+    const double known = double(plants.shading_reach(stratum));
+    const double settled = std::max(known - 0.9 * double(square.half_side) - side, 0.4 * known);
+    const float tallest = tallest_of(plants.kinds().kinds(), stratum);
+    const PlantArena::Places& places = plants.arena().places(stratum);
+    for (const auto& [place, block] : plants.blocks().blocks(stratum)) {
+      const auto resident = places.find(place);
+      if (block.plants.empty() || (!out.meshes && resident == places.end())) continue;
+      const glm::dvec2 middle((place.second + 0.5) * side, (place.first + 0.5) * side);
+      if (glm::distance(middle, glm::dvec2(look.eye)) > known || glm::distance(middle, glm::dvec2(square.origin)) > settled)
+        continue;
+      const Ball ball = ball_of(place, block, tallest);
+      if (!throws_into(view, cascade, ball.centre, ball.radius)) continue;
+      out.blocks.push_back({stratum, place.first, place.second, out.meshes ? block.version : resident->second.version});
+    }
+  }
+  return out;
+}
 
 Result<PlantShadows> PlantShadows::create() {
   PlantShadows out;
@@ -77,56 +125,59 @@ Result<PlantShadows> PlantShadows::create() {
   return out;
 }
 
-DrawCount PlantShadows::draw(const PlantRenderer& plants, const SpeciesVisibility& visible, const glm::dvec3& eye,
-                             const ShadowView& view, int cascade) const {
+DrawCount PlantShadows::draw(const PlantRenderer& plants, const PlantShadowPicture& picture) const {
   plants.kinds().bind();
-  const bool meshes = cascade == 0 && view.cascades[0].half_side <= widest_for_meshes;
-  return meshes ? draw_meshes(plants, visible, eye, view) : draw_pictures(plants, eye, view, cascade);
+  return picture.meshes ? draw_meshes(plants, picture) : draw_pictures(plants, picture);
 }
 
-DrawCount PlantShadows::draw_meshes(const PlantRenderer& plants, const SpeciesVisibility& visible, const glm::dvec3& eye,
-                                    const ShadowView& view) const {
-  const InstanceLists lists = near_casters(plants, visible, eye, view);
+DrawCount PlantShadows::draw_meshes(const PlantRenderer& plants, const PlantShadowPicture& picture) const {
+  const Casters casters = near_casters(plants, picture);
   std::vector<PlantInstance> all;
-  for (const auto& list : lists) all.insert(all.end(), list.begin(), list.end());
+  for (const auto& list : casters.meshes) all.insert(all.end(), list.begin(), list.end());
+  std::size_t first = all.size();
+  all.insert(all.end(), casters.pictures.begin(), casters.pictures.end());
   stream(instances_, std::span<const PlantInstance>(all));
-  mesh_.set("cascade", 0);
-  mesh_.use();
+  const auto from = [](std::size_t instance) { return GLintptr(instance * sizeof(PlantInstance)); };
   DrawCount drawn;
-  std::size_t first = 0;
-  for (std::size_t i = 0; i < lists.size(); ++i) {
-    if (lists[i].empty()) continue;
+  if (!casters.pictures.empty()) {
+    set_square(picture_, picture);
+    picture_.use();
+    glVertexArrayVertexBuffer(array_.name(), 1, instances_.name(), from(first), sizeof(PlantInstance));
+    glBindVertexArray(array_.name());
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(casters.pictures.size()));
+    drawn = {1, 2 * casters.pictures.size()};
+  }
+  set_square(mesh_, picture);
+  mesh_.set("moment", picture.wind.z);
+  mesh_.use();
+  first = 0;
+  for (std::size_t i = 0; i < casters.meshes.size(); ++i) {
+    const std::size_t count = casters.meshes[i].size();
+    if (count == 0) continue;
     const PlantMeshBuffers& mesh = plants.kinds().kinds()[i / plant_models].near[i % plant_models];
-    glVertexArrayVertexBuffer(mesh.array.name(), 1, instances_.name(), GLintptr(first * sizeof(PlantInstance)),
-                              sizeof(PlantInstance));
+    glVertexArrayVertexBuffer(mesh.array.name(), 1, instances_.name(), from(first), sizeof(PlantInstance));
     glBindVertexArray(mesh.array.name());
-    glDrawElementsInstanced(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_SHORT, nullptr, GLsizei(lists[i].size()));
-    first += lists[i].size();
+    glDrawElementsInstanced(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_SHORT, nullptr, GLsizei(count));
+    first += count;
     ++drawn.draw_calls;
-    drawn.triangles += lists[i].size() * std::size_t(mesh.index_count / 3);
+    drawn.triangles += count * std::size_t(mesh.index_count / 3);
   }
   return drawn;
 }
 
-DrawCount PlantShadows::draw_pictures(const PlantRenderer& plants, const glm::dvec3& eye, const ShadowView& view,
-                                      int cascade) const {
+DrawCount PlantShadows::draw_pictures(const PlantRenderer& plants, const PlantShadowPicture& picture) const {
   std::vector<FarDraw> draws;
   std::size_t count = 0;
-  for (const Stratum stratum : {Stratum::tree, Stratum::shrub}) {
-    const float tallest = tallest_of(plants.kinds().kinds(), stratum);
-    const PlantArena::Places& places = plants.arena().places(stratum);
-    for (const auto& [place, block] : plants.blocks().blocks(stratum)) {
-      const auto resident = places.find(place);
-      if (resident == places.end() || resident->second.run.count == 0) continue;
-      const Ball ball = ball_of(place, block, tallest, eye);
-      if (!casts_into(view, cascade, ball.centre, ball.radius)) continue;
-      draws.push_back({4, resident->second.run.count, 0, resident->second.run.first});
-      count += resident->second.run.count;
-    }
+  for (const PlantShadowPicture::Block& place : picture.blocks) {
+    const PlantArena::Places& places = plants.arena().places(place.stratum);
+    const auto resident = places.find({place.row, place.column});
+    if (resident == places.end() || resident->second.run.count == 0) continue;
+    draws.push_back({4, resident->second.run.count, 0, resident->second.run.first});
+    count += resident->second.run.count;
   }
   if (draws.empty()) return {};
   stream(draws_, std::span<const FarDraw>(draws));
-  picture_.set("cascade", cascade);
+  set_square(picture_, picture);
   picture_.use();
   glVertexArrayVertexBuffer(array_.name(), 1, plants.arena().buffer().name(), 0, sizeof(PlantInstance));
   glBindVertexArray(array_.name());

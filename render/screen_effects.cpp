@@ -1,5 +1,6 @@
 #include "render/screen_effects.hpp"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,15 @@ constexpr GLuint depth_unit = 1;
 constexpr GLuint shade_unit = 2;
 
 }  // namespace
+
+int occlusion_reach(int whole_height) { return std::clamp(90 * whole_height / 1080, 90, 180); }
+
+int effect_margin(bool smooth, bool occlusion, int whole_height) {
+  // Even, so that the pixels that are shaded together are the same in every part.
+  constexpr int smoothed = 8;
+  const int shaded = occlusion_reach(whole_height) / 2 * 2 + 6;
+  return occlusion ? shaded : smooth ? smoothed : 0;
+}
 
 Result<ScreenEffects> ScreenEffects::create() {
   ScreenEffects out;
@@ -30,7 +40,8 @@ Result<ScreenEffects> ScreenEffects::create() {
   return out;
 }
 
-void ScreenEffects::begin() {
+void ScreenEffects::begin(const PicturePart& part) {
+  part_ = part;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer_);
   glGetIntegerv(GL_VIEWPORT, viewport_.data());
   const int width = viewport_[2];
@@ -65,6 +76,8 @@ void ScreenEffects::end(const glm::vec2& planes, bool smooth, bool occlusion) co
   if (occlusion) {
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, shade_framebuffer_.name());
     occlusion_.set("planes", planes);
+    occlusion_.set("within", glm::vec4(part_.corner, part_.whole));
+    occlusion_.set("most", float(occlusion_reach(part_.whole.y)));
     occlusion_.use();
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glBindTextureUnit(shade_unit, shade_.name());

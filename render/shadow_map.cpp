@@ -14,44 +14,72 @@ constexpr std::array<float, shadow_cascades> softness{0.055F, 0.16F, 0.55F};
 /// From this height over the ground on squares grow, as one sees more ground.
 constexpr double growing_height = 14;
 constexpr double largest = 5;
+/// Squares grow by this factor at a time.
+constexpr double growth_step = 1.414213562373095;
 /// Sine of the lowest light that throws shadows.
 constexpr float lowest_light = 0.075F;
+/// The light moves in steps of this many degrees: the top of a tree's shadow of 20 m by less than 2 cm.
+constexpr double light_step = 0.05;
+/// A square moves by this part of half its side, which is a whole number of texels; the middle of its depth too.
+constexpr double cell_part = 0.25;
+static_assert(int(cell_part * shadow_texels) % 2 == 0);
 
 /// `Shadows` of shaders/landscape/shadow.glsl.
 struct ShadowUniforms {
-  glm::vec4 right{0};                                 ///< w: 1 / ShadowView::reach
-  glm::vec4 up{0};                                    ///< w: depth of the middle
+  glm::vec4 right{0};  ///< w: 1 / ShadowView::reach
+  glm::vec4 up{0};
   glm::vec4 toward{0};                                ///< w: strength
   std::array<glm::vec4, shadow_cascades> cascades{};  ///< centre, half side, softness
+  glm::vec4 depths{0};                                ///< ShadowCascade::depth of each
 };
+
+/// A direction in steps of light_step.
+glm::vec3 stepped(const glm::vec3& light) {
+  const double step = glm::radians(light_step);
+  const double height = std::round(std::asin(std::clamp(double(light.z), -1.0, 1.0)) / step) * step;
+  const double way = std::round(std::atan2(double(light.y), double(light.x)) / step) * step;
+  return glm::vec3(glm::dvec3(std::cos(height) * std::cos(way), std::cos(height) * std::sin(way), std::sin(height)));
+}
+
+/// Lays a square whose middle should be at a place of the land on its lattice.
+void lay(ShadowCascade& cascade, const ShadowView& view, const glm::dvec3& middle, const glm::dvec3& eye) {
+  const glm::dvec3 right(view.right);
+  const glm::dvec3 up(view.up);
+  const glm::dvec3 toward(view.toward);
+  const auto in_light = [&](const glm::dvec3& at) {
+    return glm::dvec3(glm::dot(right, at), glm::dot(up, at), glm::dot(toward, at));
+  };
+  const double cell = cell_part * double(cascade.half_side);
+  const glm::dvec3 at = glm::round(in_light(middle) / cell) * cell;
+  const glm::dvec3 origin = glm::round(right * at.x + up * at.y + toward * at.z);
+  cascade.origin = glm::vec3(origin);
+  cascade.from_origin = glm::vec3(at - in_light(origin));
+  const glm::dvec3 from_eye = at - in_light(eye);
+  cascade.centre = glm::vec2(from_eye);
+  cascade.depth = float(from_eye.z);
+}
 
 }  // namespace
 
 ShadowView shadow_view(const Camera& camera, double above, const glm::vec3& light, float strength) {
   ShadowView view;
   view.strength = strength;
-  view.toward = glm::normalize(glm::vec3(light.x, light.y, std::max(light.z, lowest_light)));
+  view.toward = stepped(glm::normalize(glm::vec3(light.x, light.y, std::max(light.z, lowest_light))));
   // Turns with the light alone.
   const glm::vec3 level =
       std::abs(view.toward.z) > 0.999F ? glm::vec3(1, 0, 0) : glm::normalize(glm::vec3(-view.toward.y, view.toward.x, 0));
   view.right = level;
   view.up = glm::cross(view.toward, level);
-  const auto growth = float(std::clamp(std::sqrt(above / growing_height), 1.0, largest));
+  const double wanted = std::clamp(std::sqrt(above / growing_height), 1.0, largest);
+  const auto growth = float(std::pow(growth_step, std::round(std::log(wanted) / std::log(growth_step))));
   const glm::dvec3 ground = camera.position - glm::dvec3(0, 0, above);
-  const glm::vec2 ahead(camera.forward());
-  view.centre_depth = -float(above) * view.toward.z;
+  const glm::dvec2 ahead(camera.forward());
   view.reach = 400 + 2.5F * half_sides.back() * growth;
-  for (int i = 0; i < shadow_cascades; ++i) {
-    ShadowCascade& cascade = view.cascades[std::size_t(i)];
-    cascade.half_side = half_sides[std::size_t(i)] * growth;
-    cascade.softness = softness[std::size_t(i)] * growth;
-    const glm::dvec3 middle = ground + glm::dvec3(glm::dvec2(ahead) * double(0.7F * cascade.half_side), 0);
-    const double texel = 2.0 * double(cascade.half_side) / shadow_texels;
-    const auto along = [&](const glm::vec3& axis) {
-      const glm::dvec3 exact(axis);
-      return float(std::round(glm::dot(exact, middle) / texel) * texel - glm::dot(exact, camera.position));
-    };
-    cascade.centre = {along(view.right), along(view.up)};
+  for (std::size_t i = 0; i < shadow_cascades; ++i) {
+    ShadowCascade& cascade = view.cascades[i];
+    cascade.half_side = half_sides[i] * growth;
+    cascade.softness = softness[i] * growth;
+    lay(cascade, view, ground + glm::dvec3(ahead * (0.7 * double(cascade.half_side)), 0), camera.position);
   }
   return view;
 }
@@ -63,42 +91,87 @@ bool casts_into(const ShadowView& view, int cascade, const glm::vec3& centre, fl
   return std::max(away.x, away.y) < square.half_side + radius;
 }
 
+bool throws_into(const ShadowView& view, int cascade, const glm::dvec3& centre, float radius) {
+  const ShadowCascade& square = view.cascades[std::size_t(cascade)];
+  const glm::vec3 from_origin(centre - glm::dvec3(square.origin));
+  const glm::vec2 at(glm::dot(view.right, from_origin), glm::dot(view.up, from_origin));
+  const glm::vec2 away = glm::abs(at - glm::vec2(square.from_origin));
+  return std::max(away.x, away.y) < square.half_side + radius;
+}
+
 void ShadowMap::begin(const ShadowView& view) {
   if (!depth_) {
-    depth_ = make_texture_array(GL_DEPTH_COMPONENT24, shadow_texels, shadow_texels, shadow_cascades, 1,
-                                {GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE});
+    const auto make = [](Texture& texture, std::array<Framebuffer, shadow_cascades>& framebuffers) {
+      texture = make_texture_array(GL_DEPTH_COMPONENT24, shadow_texels, shadow_texels, shadow_cascades, 1,
+                                   {GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE});
+      for (int i = 0; i < shadow_cascades; ++i) {
+        Framebuffer& framebuffer = framebuffers[std::size_t(i)];
+        framebuffer = make_framebuffer();
+        glNamedFramebufferTextureLayer(framebuffer.name(), GL_DEPTH_ATTACHMENT, texture.name(), 0, i);
+        glNamedFramebufferDrawBuffer(framebuffer.name(), GL_NONE);
+      }
+    };
+    make(standing_, standing_framebuffers_);
+    make(depth_, framebuffers_);
     glTextureParameteri(depth_.name(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     glTextureParameteri(depth_.name(), GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-    for (int i = 0; i < shadow_cascades; ++i) {
-      Framebuffer& framebuffer = framebuffers_[std::size_t(i)];
-      framebuffer = make_framebuffer();
-      glNamedFramebufferTextureLayer(framebuffer.name(), GL_DEPTH_ATTACHMENT, depth_.name(), 0, i);
-      glNamedFramebufferDrawBuffer(framebuffer.name(), GL_NONE);
-    }
     uniforms_ = make_buffer();
   }
+  cascades_ = view.cascades;
   ShadowUniforms uniforms;
   uniforms.right = glm::vec4(view.right, 1 / view.reach);
-  uniforms.up = glm::vec4(view.up, view.centre_depth);
+  uniforms.up = glm::vec4(view.up, 0);
   uniforms.toward = glm::vec4(view.toward, view.strength);
   for (std::size_t i = 0; i < shadow_cascades; ++i) {
     const ShadowCascade& cascade = view.cascades[i];
     uniforms.cascades[i] = {cascade.centre, cascade.half_side, cascade.softness};
+    uniforms.depths[glm::length_t(i)] = cascade.depth;
   }
   stream(uniforms_, std::span<const ShadowUniforms>(&uniforms, 1));
   glBindBufferBase(GL_UNIFORM_BUFFER, binding, uniforms_.name());
   glBindTextureUnit(unit, depth_.name());
-}
-
-void ShadowMap::open(int cascade) const {
-  const Framebuffer& framebuffer = framebuffers_[std::size_t(cascade)];
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer.name());
-  const float farthest = 1;
-  glClearNamedFramebufferfv(framebuffer.name(), GL_DEPTH, 0, &farthest);
   // What stands nearer to the light than the picture reaches still throws its shadow.
   glEnable(GL_DEPTH_CLAMP);
 }
 
-void ShadowMap::end() const { glDisable(GL_DEPTH_CLAMP); }
+void ShadowMap::open_standing(int cascade) const {
+  const Framebuffer& framebuffer = standing_framebuffers_[std::size_t(cascade)];
+  glDisable(GL_SCISSOR_TEST);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer.name());
+  const float farthest = 1;
+  glClearNamedFramebufferfv(framebuffer.name(), GL_DEPTH, 0, &farthest);
+}
+
+ShadowMap::Texels ShadowMap::texels_of(const ShadowCascade& cascade, const ShadowBox& box) const {
+  if (box.empty()) return {};
+  const auto texel = [&](const glm::vec2& at) {
+    return ((at - cascade.centre) / cascade.half_side * 0.5F + 0.5F) * float(shadow_texels);
+  };
+  const glm::vec2 most(shadow_texels);
+  const glm::ivec2 first(glm::clamp(glm::floor(texel(box.low)) - 1.0F, glm::vec2(0), most));
+  const glm::ivec2 last(glm::clamp(glm::ceil(texel(box.high)) + 1.0F, glm::vec2(0), most));
+  return {first, last - first};
+}
+
+void ShadowMap::copy(int cascade, const Texels& texels) const {
+  if (texels.count.x <= 0 || texels.count.y <= 0) return;
+  glCopyImageSubData(standing_.name(), GL_TEXTURE_2D_ARRAY, 0, texels.first.x, texels.first.y, cascade, depth_.name(),
+                     GL_TEXTURE_2D_ARRAY, 0, texels.first.x, texels.first.y, cascade, texels.count.x, texels.count.y, 1);
+}
+
+void ShadowMap::open_moving(int cascade, bool anew, const ShadowBox& box) {
+  Texels& moved = moved_[std::size_t(cascade)];
+  copy(cascade, anew ? Texels{glm::ivec2(0), glm::ivec2(shadow_texels)} : moved);
+  moved = texels_of(cascades_[std::size_t(cascade)], box);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffers_[std::size_t(cascade)].name());
+  // Nothing is left outside of what the next frame copies.
+  glScissor(moved.first.x, moved.first.y, moved.count.x, moved.count.y);
+  glEnable(GL_SCISSOR_TEST);
+}
+
+void ShadowMap::end() const {
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_DEPTH_CLAMP);
+}
 
 }  // namespace biotope

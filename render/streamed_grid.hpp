@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/grid.hpp"
-#include "render/texel_upload.hpp"
+#include "render/spare_texture.hpp"
 
 namespace biotope {
 
@@ -19,11 +19,18 @@ class StreamedGrid {
     owner_ = std::move(owner);
     levels_ = std::move(levels);
     level_ = row_ = 0;
-    back_ = make_texture_2d(format_of(Texel{}).internal, levels_.front()->width(), levels_.front()->height(), int(levels_.size()),
-                            sampling);
+    const TextureShape shape{format_of(Texel{}).internal, levels_.front()->width(), levels_.front()->height(),
+                             int(levels_.size()), sampling};
+    if (back_ && back_shape_ != shape) spare_.keep(std::move(back_), back_shape_);
+    back_shape_ = shape;
   }
   /// Uploads what the budget allows; true when all of it is there and show() may be called.
   bool upload(UploadBudget& budget) {
+    if (!back_) {
+      auto texture = spare_.take(back_shape_, budget);
+      if (!texture) return false;
+      back_ = std::move(*texture);
+    }
     while (level_ < int(levels_.size())) {
       if (budget.spent()) return false;
       const Grid<Texel>& grid = *levels_[std::size_t(level_)];
@@ -38,16 +45,20 @@ class StreamedGrid {
     return true;
   }
   void show() {
+    if (texture_) spare_.keep(std::move(texture_), shape_);
     texture_ = std::move(back_);
-    back_.reset();
+    shape_ = back_shape_;
     levels_.clear();
     owner_.reset();
   }
   /// True while something wanted is not yet shown.
-  [[nodiscard]] bool coming() const { return bool(back_); }
+  [[nodiscard]] bool coming() const { return !levels_.empty(); }
+  /// What is being filled; none before its first texels are uploaded.
   [[nodiscard]] const Texture& back() const { return back_; }
   [[nodiscard]] const Texture& texture() const { return texture_; }
   void drop() { *this = {}; }
+  /// Once a frame: gives back what is no longer needed.
+  void tidy(UploadBudget& budget) { spare_.tidy(budget); }
 
  private:
   static constexpr int band_bytes = 256 << 10;
@@ -57,7 +68,10 @@ class StreamedGrid {
   int level_ = 0;
   int row_ = 0;
   Texture texture_;
+  TextureShape shape_;
   Texture back_;
+  TextureShape back_shape_;
+  SpareTexture spare_;
 };
 
 }  // namespace biotope

@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
+#include "render/spare_texture.hpp"
 #include "render/texel_pyramid.hpp"
-#include "render/texel_upload.hpp"
 
 namespace biotope {
 
@@ -18,17 +18,22 @@ class StreamedTexture {
   /// What shall be shown next.
   void want(std::shared_ptr<const TexelPyramid<Texel>> texels) {
     wanted_ = std::move(texels);
-    back_.reset();
+    if (back_) spare_.keep(std::move(back_), back_shape_);
     find_changes();
-    std::size_t bytes = changes_.size() * sizeof(typename TiledMap<Texel>::Tile);
-    if (texture_ && same_shape() && bytes <= bytes_in_place) return;
-    const TiledMap<Texel>& whole = wanted_->levels.front();
-    back_ = make_texture_2d(format_of(Texel{}).internal, whole.width(), whole.height(), int(wanted_->levels.size()), sampling_);
-    list_all();
+    const std::size_t bytes = changes_.size() * sizeof(typename TiledMap<Texel>::Tile);
+    behind_ = !texture_ || !same_shape() || bytes > bytes_in_place;
+    if (behind_) list_all();
   }
   /// Uploads what the budget allows; true when show() may be called.
   bool upload(UploadBudget& budget) {
-    if (!back_) return true;
+    if (!behind_) return true;
+    if (!back_) {
+      const TiledMap<Texel>& whole = wanted_->levels.front();
+      back_shape_ = {format_of(Texel{}).internal, whole.width(), whole.height(), int(wanted_->levels.size()), sampling_};
+      auto texture = spare_.take(back_shape_, budget);
+      if (!texture) return false;
+      back_ = std::move(*texture);
+    }
     while (!changes_.empty()) {
       if (budget.spent()) return false;
       budget.take(upload_tile(back_, changes_.back()));
@@ -38,19 +43,23 @@ class StreamedTexture {
   }
   /// Shows what was wanted, now that it is uploaded.
   void show() {
-    if (back_) {
+    if (behind_) {
+      if (texture_) spare_.keep(std::move(texture_), shape_);
       texture_ = std::move(back_);
-      back_.reset();
+      shape_ = back_shape_;
+      behind_ = false;
     }
     for (const Place& place : changes_) upload_tile(texture_, place);
     changes_.clear();
     shown_ = wanted_;
   }
+  /// Once a frame: gives back what is no longer needed.
+  void tidy(UploadBudget& budget) { spare_.tidy(budget); }
   [[nodiscard]] GLuint name() const { return texture_.name(); }
 
  private:
   /// As much of each of a picture's textures may be replaced within one frame.
-  static constexpr std::size_t bytes_in_place = std::size_t(640) << 10;
+  static constexpr std::size_t bytes_in_place = std::size_t(2) << 20;
   struct Place {
     std::size_t level;
     std::size_t tile;
@@ -84,7 +93,12 @@ class StreamedTexture {
 
   Sampling sampling_;
   Texture texture_;
+  TextureShape shape_;
+  /// Whether what is wanted is filled behind what is shown.
+  bool behind_ = false;
   Texture back_;
+  TextureShape back_shape_;
+  SpareTexture spare_;
   std::shared_ptr<const TexelPyramid<Texel>> shown_;
   std::shared_ptr<const TexelPyramid<Texel>> wanted_;
   std::vector<Place> changes_;

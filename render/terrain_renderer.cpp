@@ -31,16 +31,21 @@ Result<std::unique_ptr<TerrainRenderer>> TerrainRenderer::create() {
   constexpr std::array<const char*, 8> surfaces{"dry_near_low", "wet_near_low", "dry_far_low", "wet_far_low",
                                                 "dry_near",     "wet_near",     "dry_far",     "wet_far"};
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    auto program = load_shader_program("landscape/terrain.vert", std::string("landscape/terrain_") + surfaces[i] + ".frag");
+    const std::string file = std::string("landscape/terrain_") + surfaces[i] + ".frag";
+    const std::array<std::string, 1> less{"WITH_LESS"};
+    auto program = load_shader_program("landscape/terrain.vert", file, std::span(less).first(i < 4 ? 1 : 0));
     if (!program) return tl::unexpected(program.error());
     renderer->programs_[i] = std::move(*program);
     if (i < 4) continue;
     const std::array<std::string, 1> shadows{"WITH_SHADOWS"};
-    auto shadowed =
-        load_shader_program("landscape/terrain.vert", std::string("landscape/terrain_") + surfaces[i] + ".frag", shadows);
+    auto shadowed = load_shader_program("landscape/terrain.vert", file, shadows);
     if (!shadowed) return tl::unexpected(shadowed.error());
     renderer->programs_[i + 4] = std::move(*shadowed);
   }
+  const std::array<std::string, 2> alone{"WITH_LESS", "WATER_ALONE"};
+  auto water = load_shader_program("landscape/terrain.vert", "landscape/terrain_water_low.frag", alone);
+  if (!water) return tl::unexpected(water.error());
+  renderer->water_program_ = std::move(*water);
   renderer->detail_ = upload_rgba(detail_noise(), {GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT});
   renderer->make_patch();
   return renderer;
@@ -114,6 +119,13 @@ bool TerrainRenderer::prepare(const TerrainLook& look, const glm::vec3& light_di
   ask(look, light_direction);
   const bool busy = maker_.busy();
   UploadBudget budget;
+  heights_.tidy(budget);
+  normals_.tidy(budget);
+  ground_.tidy(budget);
+  canopy_.tidy(budget);
+  lines_.tidy(budget);
+  currents_.tidy(budget);
+  sunlit_.tidy(budget);
   while (true) {
     if (!coming_) take(maker_.take());
     if (!coming_) return !busy;
@@ -138,6 +150,17 @@ void TerrainRenderer::bind_shared() const {
   glBindTextureUnit(6, sunlit_.name());
 }
 
+void TerrainRenderer::bind_ground(const TerrainLook& look) const {
+  bind_shared();
+  glBindTextureUnit(1, normals_.name());
+  glBindTextureUnit(4, canopy_.name());
+  glBindTextureUnit(5, lines_.name());
+  glBindTextureUnit(currents_unit, currents_.name());
+  for (const GLuint texture : {normals_.name(), ground_.name(), canopy_.name(), lines_.name(), detail_.name()}) {
+    mix_mipmaps(texture, look.quality >= detailed_quality);
+  }
+}
+
 DrawCount TerrainRenderer::draw(const TerrainLook& look, const glm::dvec3& eye, const Frustum& frustum) const {
   const Terrain& terrain = shown_->terrain();
   PatchSettings settings;
@@ -155,26 +178,42 @@ DrawCount TerrainRenderer::draw(const TerrainLook& look, const glm::dvec3& eye, 
   for (const auto& list : by_variant) patches.insert(patches.end(), list.begin(), list.end());
   stream(patch_instances_, std::span<const GroundPatch>(patches));
 
-  bind_shared();
-  glBindTextureUnit(1, normals_.name());
-  glBindTextureUnit(4, canopy_.name());
-  glBindTextureUnit(5, lines_.name());
-  glBindTextureUnit(currents_unit, currents_.name());
+  bind_ground(look);
   glBindVertexArray(patch_array_.name());
-  int draw_calls = 0;
+  DrawCount drawn;
   std::size_t first = 0;
   const std::size_t detailed = look.shadows ? 8 : look.quality >= detailed_quality ? 4 : 0;
+  std::array<std::size_t, 4> firsts{};
+  const auto draw_variant = [&](std::size_t i, const ShaderProgram& program) {
+    const std::size_t count = by_variant[i].size();
+    if (count == 0) return;
+    draw_patches(program, look, firsts[i], count);
+    ++drawn.draw_calls;
+    drawn.triangles += count * std::size_t(patch_index_count_ / 3);
+  };
   for (std::size_t i = 0; i < by_variant.size(); ++i) {
-    if (by_variant[i].empty()) continue;
-    const ShaderProgram& program = programs_[i + detailed];
-    set_look(program, look);
-    program.use();
-    glDrawElementsInstancedBaseInstance(GL_TRIANGLES, patch_index_count_, GL_UNSIGNED_SHORT, nullptr,
-                                        GLsizei(by_variant[i].size()), GLuint(first));
+    firsts[i] = first;
     first += by_variant[i].size();
-    ++draw_calls;
+    draw_variant(i, programs_[i + detailed]);
   }
-  return {draw_calls, patches.size() * std::size_t(patch_index_count_ / 3)};
+  if (detailed == 0 && look.water) {
+    // Over the ground as it lies: depths that are equal.
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    glDepthFunc(GL_LEQUAL);
+    for (const std::size_t i : {1U, 3U}) draw_variant(i, water_program_);
+    glDepthFunc(GL_LESS);
+    glDisable(GL_BLEND);
+  }
+  return drawn;
+}
+
+void TerrainRenderer::draw_patches(const ShaderProgram& program, const TerrainLook& look, std::size_t first,
+                                   std::size_t count) const {
+  set_look(program, look);
+  program.use();
+  glDrawElementsInstancedBaseInstance(GL_TRIANGLES, patch_index_count_, GL_UNSIGNED_SHORT, nullptr, GLsizei(count),
+                                      GLuint(first));
 }
 
 int TerrainRenderer::variant(const GroundPatch& patch, const TerrainLook& look, const glm::dvec3& eye) const {

@@ -74,7 +74,11 @@ class TerrainRenderer {
   /// True when all of the picture that is coming in was uploaded; it is then shown.
   bool upload(UploadBudget& budget);
   [[nodiscard]] int variant(const GroundPatch& patch, const TerrainLook& look, const glm::dvec3& eye) const;
+  /// Binds what the ground's shaders read, with mipmaps as the quality asks.
+  void bind_ground(const TerrainLook& look) const;
   void set_look(const ShaderProgram& program, const TerrainLook& look) const;
+  /// Draws `count` patches from `first` on.
+  void draw_patches(const ShaderProgram& program, const TerrainLook& look, std::size_t first, std::size_t count) const;
 
   static constexpr Sampling mirrored_mipmapped{GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_MIRRORED_REPEAT};
   static constexpr Sampling mirrored{GL_LINEAR, GL_LINEAR, GL_MIRRORED_REPEAT};
@@ -87,6 +91,8 @@ class TerrainRenderer {
   /// By variant: 1 when water may be near, 2 when crowns are painted on the ground; 4 more with small things, 8 with these and
   /// shadows.
   std::array<ShaderProgram, 12> programs_;
+  /// At low quality the ground is drawn without its water, which is then laid over it.
+  ShaderProgram water_program_;
   VertexArray patch_array_;
   Buffer patch_vertices_;
   Buffer patch_indices_;

@@ -92,8 +92,8 @@ void run(const EditorCommand& command, EditorState& state) {
   if (enabled(command, state)) command.run(state);
 }
 
-EditorCommand make_command(std::string id, std::string menu, std::string name, std::string keys, std::string tooltip,
-                           const char* icon, std::function<void(EditorState&)> action) {
+EditorCommand editor_command(std::string id, std::string menu, std::string name, std::string keys, std::string tooltip,
+                             const char* icon, std::function<void(EditorState&)> action) {
   EditorCommand command;
   command.id = std::move(id);
   command.menu = std::move(menu);
@@ -105,10 +105,10 @@ EditorCommand make_command(std::string id, std::string menu, std::string name, s
   return command;
 }
 
-EditorCommand make_document_command(std::string id, std::string menu, std::string name, std::string keys, std::string tooltip,
-                                    const char* icon, std::function<void(EditorState&)> action) {
-  EditorCommand command =
-      make_command(std::move(id), std::move(menu), std::move(name), std::move(keys), std::move(tooltip), icon, std::move(action));
+EditorCommand landscape_command(std::string id, std::string menu, std::string name, std::string keys, std::string tooltip,
+                                const char* icon, std::function<void(EditorState&)> action) {
+  EditorCommand command = editor_command(std::move(id), std::move(menu), std::move(name), std::move(keys), std::move(tooltip),
+                                         icon, std::move(action));
   command.enabled = has_document;
   return command;
 }

@@ -60,12 +60,11 @@ class CommandTable {
 void run(const EditorCommand& command, EditorState& state);
 
 /// A command that is always there; what else it has is set on what is returned.
-[[nodiscard]] EditorCommand make_command(std::string id, std::string menu, std::string name, std::string keys,
-                                         std::string tooltip, const char* icon, std::function<void(EditorState&)> action);
+[[nodiscard]] EditorCommand editor_command(std::string id, std::string menu, std::string name, std::string keys,
+                                           std::string tooltip, const char* icon, std::function<void(EditorState&)> action);
 /// One that waits for a landscape.
-[[nodiscard]] EditorCommand make_document_command(std::string id, std::string menu, std::string name, std::string keys,
-                                                  std::string tooltip, const char* icon,
-                                                  std::function<void(EditorState&)> action);
+[[nodiscard]] EditorCommand landscape_command(std::string id, std::string menu, std::string name, std::string keys,
+                                              std::string tooltip, const char* icon, std::function<void(EditorState&)> action);
 [[nodiscard]] bool has_document(const EditorState& state);
 
 /// Every command of the editor.

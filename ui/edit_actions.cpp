@@ -28,11 +28,11 @@ Result<std::unique_ptr<Command>> made(const Document& document, const Edit& edit
 
 void take_effect(EditorState& state, const Edit& edit, Result<std::unique_ptr<Command>> command) {
   if (!command) {
-    complain(state, edit_name(edit) + " was not done", command.error());
+    complain(state, edit_name(edit, state.document) + " was not done", command.error());
     return;
   }
   if (!*command) {
-    announce(state, edit_name(edit) + ": nothing changed");
+    announce(state, edit_name(edit, state.document) + ": nothing changed");
     return;
   }
   state.history.perform(state.document, std::move(*command));
@@ -46,7 +46,7 @@ void take_effect(EditorState& state, const Edit& edit, Result<std::unique_ptr<Co
 void start_making(EditorState& state) {
   PendingEdits& pending = state.pending;
   pending.edits_before = state.edits;
-  pending.making.start(edit_name(pending.waiting.front()),
+  pending.making.start(edit_name(pending.waiting.front(), state.document),
                        [document = state.document, edit = pending.waiting.front(), snapshot = state.shown](const TaskContext&) {
                          return made(document, edit, snapshot);
                        });

@@ -122,7 +122,9 @@ void take_snapshots(EditorState& state) {
   state.newest = newest;
   const auto complete = state.worker->latest_complete();
   state.shown = belongs(complete) ? complete : newest;
-  state.pictured = pictured_maps(newest, belongs(complete) ? complete : nullptr, state.pictured);
+  const auto before =
+      std::exchange(state.pictured, pictured_maps(newest, belongs(complete) ? complete : nullptr, state.pictured));
+  if (state.pictured != before && state.pictured != newest) state.worker->retire(state.pictured);
   if (!newest->status && !failed_before) complain(state, "The landscape could not be computed", newest->status.error());
 }
 

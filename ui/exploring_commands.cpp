@@ -17,7 +17,7 @@ bool has_herd(const EditorState& state) { return state.herd_day.herd && chosen_p
 
 EditorCommand& add(std::vector<EditorCommand>& list, const char* id, const char* name, const char* keys, const char* tooltip,
                    const char* icon, std::function<void(EditorState&)> action) {
-  list.push_back(make_document_command(id, "Explore", name, keys, tooltip, icon, std::move(action)));
+  list.push_back(landscape_command(id, "Explore", name, keys, tooltip, icon, std::move(action)));
   return list.back();
 }
 

@@ -25,23 +25,9 @@
 namespace biotope {
 namespace {
 
-constexpr double wanted_seconds = 1.0 / 24;  // of a moving picture; map and window take their share of the frame too
-constexpr double coarsest = 0.4;             // share of the resolution below which one no longer sees what is there
-constexpr double longest_seconds = 36000;    // after which what moves begins again: waves need exact times
+constexpr double longest_seconds = 36000;  // after which what moves begins again: waves need exact times
 constexpr std::size_t pictures_to_measure = 3;
 constexpr double slice_seconds = 0.02;  // of a frame for pictures into files
-constexpr double longest_wait = 0.4;    // s for which frames follow each other while an edit is being answered
-constexpr double rest_seconds = 0.25;   // after which the picture is drawn sharp
-
-bool same_camera(const Camera& a, const Camera& b) {
-  return a.position == b.position && a.heading == b.heading && a.pitch == b.pitch && a.vertical_field == b.vertical_field;
-}
-
-bool same_options(const LandscapeOptions& a, const LandscapeOptions& b) {
-  return a.hour == b.hour && a.month == b.month && a.plants == b.plants && a.animals == b.animals && a.trails == b.trails &&
-         a.water == b.water && a.quality == b.quality && a.weather == b.weather && a.seconds == b.seconds &&
-         a.visible_species == b.visible_species && a.brush == b.brush;
-}
 
 }  // namespace
 
@@ -124,46 +110,6 @@ LandscapeCanvas::Picture LandscapeCanvas::wanted_picture(const EditorState& stat
   return wanted;
 }
 
-std::optional<double> LandscapeCanvas::resolution_now(const EditorState& state, const Picture& wanted, bool news) {
-  const double now = ImGui::GetTime();
-  const bool same_size = has_picture_ && wanted.width == drawn_.width && wanted.height == drawn_.height;
-  const bool same = same_size && !news && same_camera(wanted.camera, drawn_.camera) &&
-                    same_options(wanted.options, drawn_.options) && wanted.snapshot == drawn_.snapshot;
-  if (!same) last_change_ = now;
-  // Plants that are still being built come in quickly on a coarse picture; the sharp one follows.
-  const bool complete = has_picture_ && renderer_->complete();
-  const bool resting = now - last_change_ > rest_seconds && complete;
-  const double resolution = software_ && !resting ? resolution_ : 1.0;
-  refining_ = (software_ && !resting && resolution < 1) || !complete;
-  measures_now_ = measuring_ && complete && state.shown->complete;
-  if (same && drawn_resolution_ >= resolution && !measures_now_) return std::nullopt;
-  // A picture that takes long even when it is coarse is drawn less often, so that the rest of the window keeps its pace.
-  const bool moves_slowly = software_ && same_size && !resting;
-  if (moves_slowly && now - drawn_at_ < 1.5 * drawn_seconds_) {
-    refining_ = true;
-    return std::nullopt;
-  }
-  return resolution;
-}
-
-void LandscapeCanvas::learn_from(double seconds, double resolution) {
-  // A coarse picture counts as a full one of as many pixels.
-  if (measures_now_) measured_seconds_.push_back(seconds / (resolution * resolution));
-  refining_ = refining_ || measuring_;
-  if (software_) {
-    // What a full picture costs tells how coarse a moving one must be; half-way steps keep it from flickering.
-    const double fitting = resolution * std::sqrt(wanted_seconds / std::max(seconds, 1e-4));
-    resolution_ = std::clamp(0.5 * resolution_ + 0.5 * fitting, coarsest, 1.0);
-  }
-  drawn_seconds_ = software_ || measures_now_ ? seconds : 0;
-}
-
-void LandscapeCanvas::await_answer(const EditorState& state, const MapsSnapshot& wanted) {
-  const double now = ImGui::GetTime();
-  if (std::exchange(awaited_, state.posted_revision) != state.posted_revision) awaited_since_ = now;
-  awaiting_ = wanted.document_revision < awaited_ && now - awaited_since_ < longest_wait;
-}
-
 void LandscapeCanvas::draw_picture(const EditorState& state, int width, int height) {
   Picture wanted = wanted_picture(state, width, height);
   await_answer(state, *wanted.snapshot);
@@ -181,6 +127,7 @@ void LandscapeCanvas::draw_picture(const EditorState& state, int width, int heig
   learn_from(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), *resolution);
   drawn_ = std::move(wanted);
   drawn_resolution_ = *resolution;
+  waits_since_ = -1;
   drawn_at_ = ImGui::GetTime();
   has_picture_ = true;
 }
@@ -385,6 +332,8 @@ void LandscapeCanvas::draw(const UiContext& ui, ImVec2 size) {
   advance(state);
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   handle_mouse(ui, canvas, {mouse.x - origin_.x, mouse.y - origin_.y}, hovered, active);
+  // What was painted is computed while the picture is drawn.
+  post_edits(state);
   draw_picture(state, width, height);
   list.PushClipRect(origin_, end, true);
   const auto texture = reinterpret_cast<ImTextureID>(std::uintptr_t(target_->texture()));

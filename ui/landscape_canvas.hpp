@@ -28,7 +28,7 @@ class LandscapeCanvas {
   /// True while keys fly the camera: letters are then no shortcuts.
   [[nodiscard]] bool takes_letters() const { return takes_letters_; }
   /// True while a sharper picture is still to come, or the camera or what it sees moves by itself.
-  [[nodiscard]] bool refining() const { return refining_ || moving_ || awaiting_; }
+  [[nodiscard]] bool refining() const { return refining_ || moving_ || awaiting_ || !drape_.complete(); }
   /// Revision of the document whose ground and plants the picture shows, all of them; 0 while some are still to come.
   [[nodiscard]] std::uint64_t answered() const {
     return has_picture_ && renderer_->complete() && drawn_.snapshot ? drawn_.snapshot->document_revision : 0;
@@ -59,6 +59,8 @@ class LandscapeCanvas {
   /// Share of the resolution that is to be drawn at now; nothing when the picture that is there serves. `news`: the renderer has
   /// something that it has not drawn yet.
   [[nodiscard]] std::optional<double> resolution_now(const EditorState& state, const Picture& wanted, bool news);
+  /// Whether a picture that takes long is better drawn a little later: an edit was posted, and what it changes is not there yet.
+  [[nodiscard]] bool waits_for_edit(const Picture& wanted, double now);
   /// Takes what a picture cost into account for the next ones.
   void learn_from(double seconds, double resolution);
   /// Notes since when an edit waits for the picture that answers it.
@@ -95,6 +97,7 @@ class LandscapeCanvas {
   std::uint64_t awaited_ = 0;             ///< revision of the document that was posted last
   double awaited_since_ = 0;              ///< s
   bool awaiting_ = false;                 ///< its picture is not there, and it was posted just now
+  double waits_since_ = -1;               ///< since when a picture is put off for it, s; below 0: it is not
   double last_change_ = 0;                ///< time of the last change of the picture, s
   bool refining_ = false;
   bool takes_letters_ = false;

@@ -3,12 +3,15 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include "ui/editor_actions.hpp"
 
 namespace biotope {
 
-constexpr float seen_through = 0.8F;  // of the map's opacity: trees and relief are seen through it
+constexpr float seen_through = 0.8F;                       // of the map's opacity: trees and relief are seen through it
+constexpr std::chrono::milliseconds longest_colouring{4};  // in a frame
+constexpr int rows_of_a_band = 32;
 
 bool drapes_map(const EditorState& state) {
   if (!state.has_document) return false;
@@ -55,19 +58,33 @@ void LandscapeDrape::refresh(const DrapeSource& source, const Rect& map, const R
   const int step = drape_step(map.width(), map.height());
   const int width = (map.width() + step - 1) / step;
   const int height = (map.height() + step - 1) / step;
-  const bool same_size = filled_ && step == step_ && texels_.width() == width && texels_.height() == height;
-  if (same_size && same_drape(source, source_)) {
-    if (changed.empty()) return;
+  const bool goes_on = shown_ && step == step_ && texels_.width() == width && texels_.height() == height;
+  if (!goes_on) {
+    texels_ = Grid<Rgba>(width, height);
+    drape_.set_texels(texels_);
+    step_ = step;
+    shown_ = true;
+  }
+  if (!goes_on || !same_drape(source, source_)) {
+    source_ = source;
+    next_row_ = 0;
+  }
+  if (!changed.empty()) {
     colour_drape(source, step, changed, texels_);
     drape_.patch(texels_, {changed.x0 / step, changed.y0 / step, changed.x1 / step + 1, changed.y1 / step + 1});
-    return;
   }
-  if (!same_size) texels_ = Grid<Rgba>(width, height);
-  step_ = step;
-  filled_ = true;
-  source_ = source;
-  colour_drape(source, step, map, texels_);
-  drape_.set_texels(texels_);
+  colour_on(map);
+}
+
+void LandscapeDrape::colour_on(const Rect& map) {
+  const auto until = std::chrono::steady_clock::now() + longest_colouring;
+  while (next_row_ < texels_.height()) {
+    const int last = std::min(next_row_ + rows_of_a_band, texels_.height());
+    colour_drape(source_, step_, {map.x0, next_row_ * step_, map.x1, std::min(last * step_, map.y1)}, texels_);
+    drape_.patch(texels_, {0, next_row_, texels_.width(), last});
+    next_row_ = last;
+    if (std::chrono::steady_clock::now() >= until) return;
+  }
 }
 
 void LandscapeDrape::draw(const UiContext& ui, ImDrawList& list, const LandscapeOverlay::Picture& picture, unsigned colours) {
@@ -75,7 +92,7 @@ void LandscapeDrape::draw(const UiContext& ui, ImDrawList& list, const Landscape
   if (!state.document.terrain) return;
   const DrapeSource source = wanted(state);
   if (!source.overlay && !source.film && !source.locked_area) {
-    filled_ = false;
+    shown_ = false;
     return;
   }
   const Terrain& terrain = *state.document.terrain;

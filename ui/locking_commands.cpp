@@ -43,8 +43,8 @@ bool can(const EditorState& state, LockEdit::How how) {
 
 void add_locking_commands(std::vector<EditorCommand>& list) {
   for (const LockRow& row : rows) {
-    EditorCommand command = make_command(row.id, "Edit", row.name, row.keys, row.tooltip, row.icon,
-                                         [how = row.how](EditorState& state) { perform_edit(state, LockEdit{how}); });
+    EditorCommand command = editor_command(row.id, "Edit", row.name, row.keys, row.tooltip, row.icon,
+                                           [how = row.how](EditorState& state) { perform_edit(state, LockEdit{how}); });
     command.enabled = [how = row.how](const EditorState& state) { return can(state, how); };
     command.line_before = row.how == LockEdit::How::add;
     list.push_back(std::move(command));

@@ -46,9 +46,11 @@ bool MapCache::busy() const {
 
 void MapCache::clear() {
   const std::lock_guard lock(mutex_);
+  for (Entry& entry : entries_) drop(entry);
   entries_.clear();
   wanted_.reset();
   ++generation_;
+  wake_.notify_all();
 }
 
 void MapCache::wait_idle() {
@@ -56,23 +58,50 @@ void MapCache::wait_idle() {
   wake_.wait(lock, [&] { return !working_ && !wanted_; });
 }
 
+void MapCache::drop(Entry& entry) {
+  old_.keep(std::move(entry.values.cells));
+  old_.keep(std::move(entry.snapshot));
+}
+
+void MapCache::make(std::unique_lock<std::mutex>& lock) {
+  Wanted wanted = std::move(*wanted_);
+  wanted_.reset();
+  working_ = true;
+  const std::uint64_t generation = generation_;
+  lock.unlock();
+  MapValues values = build_map(*wanted.snapshot, wanted.id);
+  lock.lock();
+  working_ = false;
+  if (generation == generation_) {
+    std::erase_if(entries_, [&](Entry& entry) {
+      if (entry.id == wanted.id) drop(entry);
+      return entry.id == wanted.id;
+    });
+    const void* source = source_of(*wanted.snapshot, wanted.id);
+    entries_.push_front({std::move(wanted.snapshot), source, wanted.id, std::move(values)});
+    if (entries_.size() > most_entries) {
+      drop(entries_.back());
+      entries_.pop_back();
+    }
+  }
+  wake_.notify_all();
+}
+
 void MapCache::work(const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
-  while (wake_.wait(lock, stop, [&] { return wanted_.has_value(); })) {
-    const Wanted wanted = std::move(*wanted_);
-    wanted_.reset();
-    working_ = true;
-    const std::uint64_t generation = generation_;
-    lock.unlock();
-    MapValues values = build_map(*wanted.snapshot, wanted.id);
-    lock.lock();
-    working_ = false;
-    if (generation == generation_) {
-      std::erase_if(entries_, [&](const Entry& entry) { return entry.id == wanted.id; });
-      entries_.push_front({wanted.snapshot, source_of(*wanted.snapshot, wanted.id), wanted.id, std::move(values)});
-      if (entries_.size() > most_entries) entries_.pop_back();
+  while (!stop.stop_requested()) {
+    const auto asked = [&] { return wanted_.has_value(); };
+    if (old_.empty()) {
+      wake_.wait(lock, stop, [&] { return asked() || !old_.empty(); });
+    } else {
+      wake_.wait_for(lock, stop, sweep_every, asked);
     }
-    wake_.notify_all();
+    if (stop.stop_requested()) return;
+    if (wanted_) make(lock);
+    std::vector<std::shared_ptr<const void>> unused = old_.take_unused();
+    lock.unlock();
+    unused.clear();
+    lock.lock();
   }
 }
 

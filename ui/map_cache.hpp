@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <memory>
@@ -7,6 +8,7 @@
 #include <optional>
 #include <thread>
 
+#include "core/base/last_owner.hpp"
 #include "ui/map_builder.hpp"
 
 namespace biotope {
@@ -47,12 +49,19 @@ class MapCache {
     std::shared_ptr<const MapsSnapshot> snapshot;
     MapId id;
   };
+  /// Between looks at maps that are no longer kept and still shown.
+  static constexpr std::chrono::milliseconds sweep_every{200};
   void work(const std::stop_token& stop);
+  /// Makes what is wanted; gives the lock back meanwhile.
+  void make(std::unique_lock<std::mutex>& lock);
+  /// Gives up an entry: its map is freed by this cache's thread when nobody shows it any more.
+  void drop(Entry& entry);
 
   mutable std::mutex mutex_;
   std::condition_variable_any wake_;
   std::deque<Entry> entries_;  // the newest first
   std::optional<Wanted> wanted_;
+  LastOwner old_;
   bool working_ = false;
   std::uint64_t generation_ = 0;
   std::jthread thread_;

@@ -67,14 +67,21 @@ void PaintGrounds::take() {
   auto finished = making_.take();
   if (!finished || !*finished) return;
   Finished& made = **finished;
-  if (made.layer) computed_[*made.layer] = std::move(made.made);
-  if (made.final_layer) finals_[*made.final_layer] = std::move(made.made);
+  if (made.layer) replace(computed_[*made.layer], std::move(made.made));
+  if (made.final_layer) replace(finals_[*made.final_layer], std::move(made.made));
   if (made.picture_layer) {
     picture_layer_ = made.picture_layer;
     picture_source_ = std::move(made.made.source);
-    picture_ = std::move(made.picture);
+    freeing_.retire(std::exchange(picture_, std::move(made.picture)));
   }
-  if (made.quantity) quantities_[*made.quantity] = std::move(made.made);
+  if (made.quantity) replace(quantities_[*made.quantity], std::move(made.made));
+}
+
+void PaintGrounds::replace(Made& old, Made made) {
+  std::swap(old, made);
+  freeing_.retire(std::move(made.map));
+  freeing_.retire(std::move(made.source));
+  freeing_.retire(std::move(made.paint));
 }
 
 bool PaintGrounds::ready(const MapsSnapshot& snapshot, const LayerId& layer) const {
@@ -98,9 +105,10 @@ bool PaintGrounds::ready(const MapsSnapshot& snapshot, const Document& document,
 }
 
 void PaintGrounds::keep_few(const PaintNeeds& needs) {
-  const auto drop = [](auto& maps, const std::vector<LayerId>& wanted) {
+  const auto drop = [this](auto& maps, const std::vector<LayerId>& wanted) {
     for (auto entry = maps.begin(); entry != maps.end() && maps.size() > wanted.size() + most_kept;) {
       const bool needed = std::find(wanted.begin(), wanted.end(), entry->first) != wanted.end();
+      if (!needed) replace(entry->second, {});
       entry = needed ? std::next(entry) : maps.erase(entry);
     }
   };
@@ -155,7 +163,8 @@ void PaintGrounds::prepare(const std::shared_ptr<const MapsSnapshot>& snapshot, 
 }
 
 PaintGrounds::Map PaintGrounds::computed(const MapsSnapshot& snapshot, const LayerId& layer) {
-  if (!ready(snapshot, layer)) computed_[layer] = {computed_map_source(snapshot, layer), nullptr, computed_map(snapshot, layer)};
+  if (!ready(snapshot, layer))
+    replace(computed_[layer], {computed_map_source(snapshot, layer), nullptr, computed_map(snapshot, layer)});
   return computed_[layer].map;
 }
 
@@ -165,14 +174,14 @@ PaintGrounds::Map PaintGrounds::final_of(const MapsSnapshot& snapshot, const Doc
   if (!paint || !under) return under;
   const auto source = computed_map_source(snapshot, layer);
   Made& made = finals_[layer];
-  if (made.source != source || made.paint != paint) made = {source, paint, final_map(layer.kind, under, paint.get())};
+  if (made.source != source || made.paint != paint) replace(made, {source, paint, final_map(layer.kind, under, paint.get())});
   return made.map;
 }
 
 PaintGrounds::Map PaintGrounds::quantity(const MapsSnapshot& snapshot, FilterQuantity which) {
   const auto source = quantity_source(snapshot, which);
   Made& made = quantities_[which];
-  if (!made.map || made.source != source) made = {source, nullptr, filter_map(snapshot, which)};
+  if (!made.map || made.source != source) replace(made, {source, nullptr, filter_map(snapshot, which)});
   return made.map;
 }
 

@@ -6,6 +6,7 @@
 #include <set>
 #include <vector>
 
+#include "core/base/background_thread.hpp"
 #include "core/document/brush.hpp"
 #include "core/pipeline/maps_snapshot.hpp"
 #include "ui/background_task.hpp"
@@ -68,6 +69,8 @@ class PaintGrounds {
     std::shared_ptr<Grid<float>> picture;
   };
   void take();
+  /// Puts a map in the place of another, which is freed on another thread: that takes long, the map being large.
+  void replace(Made& old, Made made);
   void keep_few(const PaintNeeds& needs);
   [[nodiscard]] Map quantity(const MapsSnapshot& snapshot, FilterQuantity which);
 
@@ -78,6 +81,7 @@ class PaintGrounds {
   std::shared_ptr<const void> picture_source_;
   std::shared_ptr<Grid<float>> picture_;
   BackgroundTask<Finished> making_;
+  BackgroundThread freeing_;
 };
 
 }  // namespace biotope

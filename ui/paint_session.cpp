@@ -36,6 +36,7 @@ bool PaintSession::begin(const Document& document, StrokePlan plan) {
     layer_ = layer;
     shown_ = plan.picture ? std::move(plan.picture) : bare_picture(layer.kind, *plan.computed.front());
   }
+  forget_plan();
   plan_ = std::move(plan);
   follow(document);
   points_.clear();
@@ -83,13 +84,20 @@ void PaintSession::follow(const Document& document) {
 
 void PaintSession::close() {
   stroke_.reset();
-  plan_ = {};
-  shown_.reset();
+  forget_plan();
+  freeing_.retire(std::exchange(shown_, nullptr));
   paint_.reset();
   points_.clear();
   changed_ = {};
   least_ = greatest_ = 0;
   awaited_ = 0;
+}
+
+void PaintSession::forget_plan() {
+  for (auto& map : plan_.computed) freeing_.retire(std::move(map));
+  freeing_.retire(std::move(plan_.source));
+  freeing_.retire(std::move(plan_.clone_source));
+  plan_ = {};
 }
 
 Rect PaintSession::take_changed(Reader reader) { return std::exchange(changed_[std::size_t(reader)], Rect{}); }

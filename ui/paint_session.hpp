@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/background_thread.hpp"
 #include "core/document/edit.hpp"
 
 namespace biotope {
@@ -86,6 +87,9 @@ class PaintSession {
   ValueSpan write(const Rect& rect, const PaintLayer* paint);
   void note(const Rect& rect, const ValueSpan& span);
 
+  /// Has another thread free the plan's maps: that takes long, large as they are.
+  void forget_plan();
+
   LayerId layer_;
   StrokePlan plan_;
   std::shared_ptr<Grid<float>> shown_;
@@ -96,6 +100,7 @@ class PaintSession {
   float least_ = 0;
   float greatest_ = 0;
   std::uint64_t awaited_ = 0;
+  BackgroundThread freeing_;
 };
 
 }  // namespace biotope

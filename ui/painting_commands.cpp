@@ -51,7 +51,7 @@ constexpr ToolRow tools[] = {
 void add_tools(std::vector<EditorCommand>& list) {
   for (const ToolRow& row : tools) {
     EditorCommand made =
-        make_command(row.id, "Tools", row.name, row.keys, row.tooltip, row.icon, [tool = row.tool](EditorState& state) {
+        editor_command(row.id, "Tools", row.name, row.keys, row.tooltip, row.icon, [tool = row.tool](EditorState& state) {
           cancel_tool(state);
           state.tool = tool;
         });
@@ -63,23 +63,20 @@ void add_tools(std::vector<EditorCommand>& list) {
 }
 
 void add_selection(std::vector<EditorCommand>& list) {
-  list.push_back(make_document_command("select.all", "Edit", "Select everything", "Ctrl+A", "Edits act everywhere",
-                                       icons::rectangle,
-                                       [](EditorState& state) { select_shape(state, SelectEdit::Shape::everything); }));
+  list.push_back(landscape_command("select.all", "Edit", "Select everything", "Ctrl+A", "Edits act everywhere", icons::rectangle,
+                                   [](EditorState& state) { select_shape(state, SelectEdit::Shape::everything); }));
   list.back().line_before = true;
-  list.push_back(make_document_command("select.drop", "Edit", "Deselect", "Ctrl+Shift+A",
-                                       "Drop the selection: edits act everywhere again", icons::close,
-                                       [](EditorState& state) { select_shape(state, SelectEdit::Shape::everything); }));
+  list.push_back(landscape_command("select.drop", "Edit", "Deselect", "Ctrl+Shift+A",
+                                   "Drop the selection: edits act everywhere again", icons::close,
+                                   [](EditorState& state) { select_shape(state, SelectEdit::Shape::everything); }));
   list.back().enabled = [](const EditorState& state) { return state.document.selection != nullptr; };
-  list.push_back(make_document_command("select.none", "Edit", "Select nothing", "", "Start an empty selection to add to",
-                                       icons::close,
-                                       [](EditorState& state) { select_shape(state, SelectEdit::Shape::nothing); }));
-  list.push_back(make_document_command("select.invert", "Edit", "Invert the selection", "Ctrl+Shift+I",
-                                       "Select what is not selected", icons::invert,
-                                       [](EditorState& state) { select_shape(state, SelectEdit::Shape::inverse); }));
-  list.push_back(make_document_command("select.range", "Edit", "Select by value ...", "",
-                                       "Select where a map, the slope or the height lies between two values", icons::filter,
-                                       [](EditorState& state) { state.dialogs.select_range = true; }));
+  list.push_back(landscape_command("select.none", "Edit", "Select nothing", "", "Start an empty selection to add to",
+                                   icons::close, [](EditorState& state) { select_shape(state, SelectEdit::Shape::nothing); }));
+  list.push_back(landscape_command("select.invert", "Edit", "Invert the selection", "Ctrl+Shift+I", "Select what is not selected",
+                                   icons::invert, [](EditorState& state) { select_shape(state, SelectEdit::Shape::inverse); }));
+  list.push_back(landscape_command("select.range", "Edit", "Select by value ...", "",
+                                   "Select where a map, the slope or the height lies between two values", icons::filter,
+                                   [](EditorState& state) { state.dialogs.select_range = true; }));
 }
 
 /// Delete: the placed thing that is selected, else the paint within selection and filter.
@@ -92,21 +89,20 @@ void remove_here(EditorState& state) {
 }
 
 void add_layer_commands(std::vector<EditorCommand>& list) {
-  list.push_back(make_document_command("paint.fill", "Edit", "Fill now", "Shift+Enter",
-                                       "Fill what is selected with the brush's value", icons::bucket, [](EditorState& state) {
-                                         const Tool before = std::exchange(state.tool, Tool::fill);
-                                         press_tool(state, {}, {});
-                                         state.tool = before;
-                                       }));
+  list.push_back(landscape_command("paint.fill", "Edit", "Fill now", "Shift+Enter",
+                                   "Fill what is selected with the brush's value", icons::bucket, [](EditorState& state) {
+                                     const Tool before = std::exchange(state.tool, Tool::fill);
+                                     press_tool(state, {}, {});
+                                     state.tool = before;
+                                   }));
   list.back().line_before = true;
-  list.push_back(
-      make_document_command("paint.restore", "Edit", "Take the paint off here", "Delete",
-                            "Give the computed map back where something is selected, or everywhere; with a placed thing "
-                            "selected, remove that",
-                            icons::restore, remove_here));
-  list.push_back(make_document_command("brush.show_filter", "Edit", "Show where the brush may act", "Shift+F",
-                                       "Red film where the filter or the selection keep it away", icons::filter,
-                                       [](EditorState& state) { state.paint.show_filter = !state.paint.show_filter; }));
+  list.push_back(landscape_command("paint.restore", "Edit", "Take the paint off here", "Delete",
+                                   "Give the computed map back where something is selected, or everywhere; with a placed thing "
+                                   "selected, remove that",
+                                   icons::restore, remove_here));
+  list.push_back(landscape_command("brush.show_filter", "Edit", "Show where the brush may act", "Shift+F",
+                                   "Red film where the filter or the selection keep it away", icons::filter,
+                                   [](EditorState& state) { state.paint.show_filter = !state.paint.show_filter; }));
   list.back().checked = [](const EditorState& state) { return state.paint.show_filter; };
 }
 

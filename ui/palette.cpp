@@ -151,6 +151,17 @@ void draw_shortcut_list(const UiContext& ui) {
   ImGui::EndPopup();
 }
 
+namespace {
+
+void close_first_steps(EditorState& state) {
+  state.dialogs.first_steps = false;
+  state.settings.first_steps_closed = true;
+  // Written at once, so that it never comes back.
+  if (const Status saved = save_settings(state.settings_file, state.settings); !saved) state.notice = saved.error().message;
+}
+
+}  // namespace
+
 void draw_first_steps(const UiContext& ui) {
   EditorState& state = ui.state;
   if (!state.dialogs.first_steps) return;
@@ -181,12 +192,8 @@ void draw_first_steps(const UiContext& ui) {
   align_buttons(theme, 1, 70);
   const bool closed = primary_button(theme, "Got it", theme.px(70));
   ImGui::PopFont();
-  if (closed) {
-    state.dialogs.first_steps = false;
-    state.settings.first_steps_closed = true;
-    // Written at once, so that it never comes back.
-    if (const Status saved = save_settings(state.settings_file, state.settings); !saved) state.notice = saved.error().message;
-  }
+  // Who has made some edits needs it no more, unless it was asked for.
+  if (closed || (!state.settings.first_steps_closed && state.history.size() >= 3)) close_first_steps(state);
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(3);

@@ -81,11 +81,18 @@ PictureTile picture_tile(int width, int height, int side, int number) {
 
 int tile_count(int width, int height, int side) { return (width + side - 1) / side * ((height + side - 1) / side); }
 
-void place_tile(Image& whole, const Image& pixels, const PictureTile& tile) {
+PictureTile with_margin(const PictureTile& tile, int margin, int width, int height) {
+  const int x = std::max(0, tile.x - margin);
+  const int y = std::max(0, tile.y - margin);
+  return {x, y, std::min(width, tile.x + tile.width + margin) - x, std::min(height, tile.y + tile.height + margin) - y};
+}
+
+void place_tile(Image& whole, const Image& pixels, const PictureTile& tile, const PictureTile& drawn) {
   for (int row = 0; row < tile.height; ++row) {
     // Tiles count rows from below, images from above.
     const int whole_row = whole.height - tile.y - tile.height + row;
-    const auto from = pixels.rgba.begin() + std::ptrdiff_t(row) * pixels.width * 4;
+    const int drawn_row = whole_row - (whole.height - drawn.y - drawn.height);
+    const auto from = pixels.rgba.begin() + (std::ptrdiff_t(drawn_row) * pixels.width + tile.x - drawn.x) * 4;
     std::copy(from, from + std::ptrdiff_t(tile.width) * 4,
               whole.rgba.begin() + (std::ptrdiff_t(whole_row) * whole.width + tile.x) * 4);
   }
@@ -184,11 +191,12 @@ bool PictureExporter::prepare() {
 void PictureExporter::draw_tile() {
   const PictureTile tile = picture_tile(order_->width, order_->height, tile_side_, tile_);
   PictureView view = picture_view(*order_, picture_);
-  view.options.corner = {tile.x, tile.y};
-  target_->resize(tile.width, tile.height);
+  const PictureTile drawn = with_margin(tile, tile_margin(view.options, order_->height), order_->width, order_->height);
+  view.options.corner = {drawn.x, drawn.y};
+  target_->resize(drawn.width, drawn.height);
   target_->bind();
   renderer_->draw(view.camera, view.options, order_->width, order_->height);
-  place_tile(whole_, target_->read(), tile);
+  place_tile(whole_, target_->read(), tile, drawn);
   ++tile_;
 }
 

@@ -64,8 +64,10 @@ struct PictureTile {
 /// Tile `number` of a picture cut into tiles of at most `side` pixels a side, row by row; and how many there are.
 [[nodiscard]] PictureTile picture_tile(int width, int height, int side, int number);
 [[nodiscard]] int tile_count(int width, int height, int side);
-/// Puts a tile's pixels (top row first) where they belong in the whole.
-void place_tile(Image& whole, const Image& pixels, const PictureTile& tile);
+/// A tile with `margin` pixels more on each side, as far as the picture goes: what must be drawn for the tile to be a part of it.
+[[nodiscard]] PictureTile with_margin(const PictureTile& tile, int margin, int width, int height);
+/// Puts a tile where it belongs in the whole, out of the pixels (top row first) of what was `drawn` for it.
+void place_tile(Image& whole, const Image& pixels, const PictureTile& tile, const PictureTile& drawn);
 
 /// Carries out orders in slices, so that the window goes on: a tile at a time, files written on a thread of their own. Needs the
 /// same current OpenGL context in every call and when it is destroyed.

@@ -46,7 +46,7 @@ void select_paint(EditorState& state) {
 
 void add_placing_commands(std::vector<EditorCommand>& list) {
   for (const PlacingRow& row : placing_rows) {
-    list.push_back(make_document_command(row.id, "", row.name, "", row.tooltip, "", [row](EditorState& state) {
+    list.push_back(landscape_command(row.id, "", row.name, "", row.tooltip, "", [row](EditorState& state) {
       state.view.tab = row.tab;
       if (state.placing.tool != row.tool) choose_placing(state, row.tool);
     }));
@@ -55,36 +55,36 @@ void add_placing_commands(std::vector<EditorCommand>& list) {
 }
 
 void add_paint_copy_commands(std::vector<EditorCommand>& list) {
-  list.push_back(make_document_command("paint.copy", "Edit", "Copy the paint", "Ctrl+C",
-                                       "Copy the paint of the map that you look at; it survives opening another scene",
-                                       icons::copy, [](EditorState& state) {
-                                         if (const auto target = paint_target(state)) copy_layer(state, *target);
-                                       }));
+  list.push_back(landscape_command("paint.copy", "Edit", "Copy the paint", "Ctrl+C",
+                                   "Copy the paint of the map that you look at; it survives opening another scene", icons::copy,
+                                   [](EditorState& state) {
+                                     if (const auto target = paint_target(state)) copy_layer(state, *target);
+                                   }));
   list.back().enabled = target_is_painted;
   list.back().line_before = true;
-  list.push_back(make_document_command("paint.paste", "Edit", "Paste the paint", "Ctrl+V",
-                                       "Lay the copied paint over the paint of the map that you look at", icons::paste,
-                                       [](EditorState& state) {
-                                         if (const auto target = paint_target(state)) paste_layer(state, *target, LayerMix::over);
-                                       }));
+  list.push_back(landscape_command("paint.paste", "Edit", "Paste the paint", "Ctrl+V",
+                                   "Lay the copied paint over the paint of the map that you look at", icons::paste,
+                                   [](EditorState& state) {
+                                     if (const auto target = paint_target(state)) paste_layer(state, *target, LayerMix::over);
+                                   }));
   list.back().enabled = [](const EditorState& state) { return state.has_document && state.copied && paint_target(state); };
-  list.push_back(make_document_command("select.painted", "Edit", "Select what is painted", "",
-                                       "Select where the map that you look at is painted, as far as the paint covers",
-                                       icons::brush, select_paint));
+  list.push_back(landscape_command("select.painted", "Edit", "Select what is painted", "",
+                                   "Select where the map that you look at is painted, as far as the paint covers", icons::brush,
+                                   select_paint));
   list.back().enabled = target_is_painted;
 }
 
 void add_preset_commands(std::vector<EditorCommand>& list) {
-  list.push_back(make_document_command("brush.presets", "Edit", "Brushes ...", "Shift+B", "Brushes to start from, and your own",
-                                       icons::brush, [](EditorState& state) {
-                                         if (!is_brush(state.tool)) state.tool = Tool::add;
-                                         state.paint.wants_presets = true;
-                                       }));
+  list.push_back(landscape_command("brush.presets", "Edit", "Brushes ...", "Shift+B", "Brushes to start from, and your own",
+                                   icons::brush, [](EditorState& state) {
+                                     if (!is_brush(state.tool)) state.tool = Tool::add;
+                                     state.paint.wants_presets = true;
+                                   }));
   const auto& built_in = built_in_presets();
   for (std::size_t i = 0; i < built_in.size(); ++i) {
-    list.push_back(make_document_command("brush.preset." + std::to_string(i + 1), "", "Brush: " + built_in[i].name, "",
-                                         "Take this brush into the hand", icons::brush,
-                                         [i](EditorState& state) { use_preset(state, built_in_presets()[i]); }));
+    list.push_back(landscape_command("brush.preset." + std::to_string(i + 1), "", "Brush: " + built_in[i].name, "",
+                                     "Take this brush into the hand", icons::brush,
+                                     [i](EditorState& state) { use_preset(state, built_in_presets()[i]); }));
   }
 }
 

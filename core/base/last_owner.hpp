@@ -12,8 +12,10 @@ namespace biotope {
 /// longer than a frame. Guard it with the mutex of its owner.
 class LastOwner {
  public:
+  /// Once is enough: two holds on one thing would each take the other for somebody else's.
   void keep(std::shared_ptr<const void> thing) {
-    if (thing) kept_.push_back(std::move(thing));
+    const auto same = [&](const auto& other) { return !other.owner_before(thing) && !thing.owner_before(other); };
+    if (thing && std::none_of(kept_.begin(), kept_.end(), same)) kept_.push_back(std::move(thing));
   }
   /// Those that nobody else holds any more. Drop them with no lock held.
   [[nodiscard]] std::vector<std::shared_ptr<const void>> take_unused() {

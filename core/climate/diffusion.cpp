@@ -8,29 +8,10 @@
 #include <vector>
 
 #include "core/base/parallel.hpp"
+#include "core/climate/elimination.hpp"
 #include "core/terrain/vector_clones.hpp"
 
 namespace biotope {
-namespace {
-
-// Elimination down a line: with L and R the conductances to the cells before and after,
-//   share' = R / (1 + L (1 - share) + R),   value' = (value + L value_before') / (the same),
-// and back up: value = value' + share' * value_after. All terms are positive, so nothing cancels.
-
-/// Columns that are eliminated together.
-constexpr int strip = 64;
-
-/// One row of the elimination down `count` columns.
-struct ColumnsRow {
-  const float* before_conductance;
-  const float* conductance;
-  const float* after_conductance;
-  const float* before_share;
-  const float* before_value;
-  float* share;
-  float* value;
-};
-
 BIOTOPE_VECTOR_CLONES void eliminate_columns(const ColumnsRow row, int count, float has_before, float has_after) {
   for (int i = 0; i < count; ++i) {
     const float own = row.conductance[i];
@@ -46,6 +27,11 @@ BIOTOPE_VECTOR_CLONES void eliminate_columns(const ColumnsRow row, int count, fl
 BIOTOPE_VECTOR_CLONES void add_back_columns(float* values, const float* share, const float* after, int count) {
   for (int i = 0; i < count; ++i) values[i] += share[i] * after[i];
 }
+
+namespace {
+
+/// Columns that are eliminated together.
+constexpr int strip = 64;
 
 void diffuse_columns(Grid<float>& values, const Grid<float>& conductance, int x0, int count) {
   const int height = values.height();

@@ -9,6 +9,7 @@
 #include "core/base/task_context.hpp"
 #include "core/climate/climate.hpp"
 #include "core/climate/environment.hpp"
+#include "core/climate/followed_diffusion.hpp"
 #include "core/terrain/generations.hpp"
 #include "core/terrain/sunlight.hpp"
 
@@ -66,10 +67,10 @@ struct SoilChange {
   const TileSet& water;
 };
 
-/// Moisture, and what soil follows from it. Water spreads over the whole map, but before and after that only cells whose inputs
-/// changed are made again.
+/// Moisture, and what soil follows from it. Water is followed as far as a change spreads.
 class SoilState {
  public:
+  SoilState();
   /// Everything anew. Forgets all when stopped.
   [[nodiscard]] Status restart(const Terrain& terrain, const Derivatives& derivatives, const Hydrology& hydrology,
                                const Climate& climate, const TaskContext& context);
@@ -78,6 +79,9 @@ class SoilState {
   void update(const Terrain& terrain, const Derivatives& derivatives, const Hydrology& hydrology, const Climate& climate,
               const SoilChange& change);
 
+  /// Gives back what only changes are followed by; the next one is as much work as everything anew.
+  void forget_passes();
+
   [[nodiscard]] MonthlyMap moisture(const Climate& climate) const;
   [[nodiscard]] std::shared_ptr<const Grid<float>> texture() const { return texture_.newest(); }
   [[nodiscard]] std::shared_ptr<const Grid<Geology>> geology() const { return geology_.newest(); }
@@ -85,11 +89,11 @@ class SoilState {
   void release_unused();
 
  private:
-  /// Water before it spreads, how easily it does, and how it has; and hollows of the ground.
+  /// Water before it spreads, how easily it does, and how it has; and the mean height of each cell's surroundings.
   Grid<float> water_;
   Grid<float> conductance_;
-  Grid<float> spread_;
-  Grid<float> hollow_;
+  FollowedDiffusion spread_;
+  FollowedDiffusion surroundings_{1};
   GridGenerations<float> moisture_;
   GridGenerations<float> texture_;
   GridGenerations<Geology> geology_;

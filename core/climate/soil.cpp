@@ -41,21 +41,15 @@ float texture_of(float slope, float hollow, float water) {
 
 }  // namespace
 
-Grid<float> hollows(const Terrain& terrain) {
-  const auto conductance = float(hollow_radius * hollow_radius / (2 * terrain.cell_area()));
-  Grid<float> depth = terrain.height;
-  diffuse(depth, Grid<float>(depth.width(), depth.height(), conductance));
-  parallel_rows(0, depth.height(), [&](int y) {
-    for (int x = 0; x < depth.width(); ++x) depth(x, y) -= terrain.height(x, y);
-  });
-  return depth;
+float surroundings_conductance(const Terrain& terrain) {
+  return float(hollow_radius * hollow_radius / (2 * terrain.cell_area()));
 }
 
 void soil_of_cells(const SoilInput& input, const Rect& cells, Grid<float>& texture, Grid<Geology>& geology) {
   for (int y = cells.y0; y < cells.y1; ++y) {
     for (int x = cells.x0; x < cells.x1; ++x) {
       const float slope = input.derivatives.slope(x, y);
-      const float hollow = input.hollow(x, y);
+      const float hollow = input.surroundings(x, y) - input.height(x, y);
       const auto water = float(moisture_scale.physical(input.moisture(x, y)));
       const bool open_water = input.hydrology.water(x, y) != WaterKind::dry;
       geology(x, y) = open_water ? Geology::water : geology_of(slope, hollow, water);
@@ -68,9 +62,10 @@ SoilMaps estimate_soil(const Terrain& terrain, const Derivatives& derivatives, c
                        const Grid<float>& moisture) {
   const int width = terrain.height.width();
   const int height = terrain.height.height();
-  const Grid<float> hollow = hollows(terrain);
+  Grid<float> surroundings = terrain.height;
+  diffuse(surroundings, Grid<float>(width, height, surroundings_conductance(terrain)));
   SoilMaps soil{Grid<float>(width, height), Grid<Geology>(width, height)};
-  const SoilInput input{derivatives, hydrology, hollow, moisture};
+  const SoilInput input{derivatives, hydrology, terrain.height, surroundings, moisture};
   parallel_rows(0, height, [&](int y) { soil_of_cells(input, {0, y, width, y + 1}, soil.texture, soil.geology); });
   return soil;
 }

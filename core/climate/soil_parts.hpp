@@ -20,15 +20,17 @@ void wet_cells(const Terrain& terrain, const Derivatives& derivatives, const Hyd
 /// Moisture (see moisture_layer) of spread water.
 void moisture_of_water(const Hydrology& hydrology, const Grid<float>& spread, const Rect& cells, Grid<float>& moisture);
 
-/// How far the ground lies below the mean of its surroundings, m; negative on bulges. Smoothed, so that neither the cell size nor
-/// the noise of a fine DEM shows.
-[[nodiscard]] Grid<float> hollows(const Terrain& terrain);
+/// Conductance of the diffusion (one step, see diffuse) that gives every cell the mean height of its surroundings, so that
+/// neither the cell size nor the noise of a fine DEM shows in what is a hollow.
+[[nodiscard]] float surroundings_conductance(const Terrain& terrain);
 
 /// What soil cells have (see SoilMaps).
 struct SoilInput {
   const Derivatives& derivatives;
   const Hydrology& hydrology;
-  const Grid<float>& hollow;
+  const Grid<float>& height;
+  /// Mean height of the surroundings, m: hollows lie below it, bulges above.
+  const Grid<float>& surroundings;
   const Grid<float>& moisture;
 };
 void soil_of_cells(const SoilInput& input, const Rect& cells, Grid<float>& texture, Grid<Geology>& geology);

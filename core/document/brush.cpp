@@ -87,10 +87,18 @@ std::string layer_words(const LayerId& layer) {
   return layer.name;
 }
 
-std::string stroke_name(const std::vector<LayerId>& layers) {
+std::string layer_words(const LayerId& layer, const Document& document) {
+  if (!document.species) return layer_words(layer);
+  const auto species = std::find_if(document.species->begin(), document.species->end(),
+                                    [&](const Species& each) { return each.name == layer.name; });
+  if (species == document.species->end() || species->common_name.empty()) return layer_words(layer);
+  return layer_words({layer.kind, species->common_name});
+}
+
+std::string stroke_name(const std::vector<LayerId>& layers, const Document& document) {
   if (layers.empty()) return "Paint";
   const std::string more = layers.size() > 1 ? " and " + std::to_string(layers.size() - 1) + " more" : "";
-  return "Paint " + layer_words(layers.front()) + more;
+  return "Paint " + layer_words(layers.front(), document) + more;
 }
 
 Stroke::Stroke(LayerId layer, const Grid<float>* computed) : Stroke(one_target(std::move(layer), computed), nullptr) {}
@@ -184,13 +192,13 @@ std::unique_ptr<Command> Stroke::finish(const Document& document) {
     }
     held_[i] = {};
     if (changes.empty()) continue;
-    commands.push_back(std::make_unique<PaintCommand>(stroke_name({layer}), layer, std::move(changes)));
+    commands.push_back(std::make_unique<PaintCommand>(stroke_name({layer}, document), layer, std::move(changes)));
     layers.push_back(layer);
   }
   last_.reset();
   if (commands.empty()) return nullptr;
   if (commands.size() == 1) return std::move(commands.front());
-  return std::make_unique<GroupCommand>(stroke_name(layers), std::move(commands));
+  return std::make_unique<GroupCommand>(stroke_name(layers, document), std::move(commands));
 }
 
 }  // namespace biotope

@@ -84,10 +84,12 @@ struct StrokePoint {
 
 /// Values that paint of a kind may hold, in its unit.
 [[nodiscard]] Range legal_range(LayerKind kind);
-/// What a person calls a layer in the history: "oak", "moisture", "loss of oak", "ground".
+/// A layer in a sentence, its species as files name it: "quercus-ilex", "moisture", "loss of quercus-ilex", "ground".
 [[nodiscard]] std::string layer_words(const LayerId& layer);
-/// Name of the step that a stroke over these layers makes: "Paint oak", "Paint oak and 2 more".
-[[nodiscard]] std::string stroke_name(const std::vector<LayerId>& layers);
+/// The same as people call its species: "Holm oak", "loss of Holm oak". By the file's name where a species has no other.
+[[nodiscard]] std::string layer_words(const LayerId& layer, const Document& document);
+/// Name of the step that a stroke over these layers makes: "Paint Holm oak", "Paint Holm oak and 2 more".
+[[nodiscard]] std::string stroke_name(const std::vector<LayerId>& layers, const Document& document);
 
 /// A stroke in progress over layers of a document: dabs paint at once into the document's layers and `finish` yields one undo
 /// step. Tiles are never changed in place: a dab makes new ones where something changed, so copies of the document stay as they

@@ -5,7 +5,7 @@
 namespace biotope {
 namespace {
 
-std::string select_words(const SelectEdit& edit) {
+std::string select_words(const SelectEdit& edit, const Document& document) {
   switch (edit.shape) {
     case SelectEdit::Shape::everything:
       return "Select everything";
@@ -20,7 +20,7 @@ std::string select_words(const SelectEdit& edit) {
     case SelectEdit::Shape::inverse:
       return "Invert the selection";
     case SelectEdit::Shape::painted:
-      return "Select the paint of " + layer_words(edit.range.map);
+      return "Select the paint of " + layer_words(edit.range.map, document);
   }
   return "Select";
 }
@@ -46,16 +46,17 @@ std::vector<LayerId> layers_of(const std::vector<EditTarget>& targets) {
 }
 
 struct NameOf {
-  std::string operator()(const StrokeEdit& edit) const { return stroke_name(layers_of(edit.targets)); }
+  const Document& document;
+  std::string operator()(const StrokeEdit& edit) const { return stroke_name(layers_of(edit.targets), document); }
   std::string operator()(const FillEdit& edit) const {
     // "Paint oak and 2 more" -> "Fill oak and 2 more"
-    return "Fill" + stroke_name(layers_of(edit.targets)).substr(std::string("Paint").size());
+    return "Fill" + stroke_name(layers_of(edit.targets), document).substr(std::string("Paint").size());
   }
-  std::string operator()(const SelectEdit& edit) const { return select_words(edit); }
-  std::string operator()(const ClearEdit& edit) const { return "Clear " + layer_words(edit.layer); }
-  std::string operator()(const ImageEdit& edit) const { return "Lay an image over " + layer_words(edit.layer); }
+  std::string operator()(const SelectEdit& edit) const { return select_words(edit, document); }
+  std::string operator()(const ClearEdit& edit) const { return "Clear " + layer_words(edit.layer, document); }
+  std::string operator()(const ImageEdit& edit) const { return "Lay an image over " + layer_words(edit.layer, document); }
   std::string operator()(const MixEdit& edit) const {
-    return "Mix " + layer_words(edit.from) + " into " + layer_words(edit.into);
+    return "Mix " + layer_words(edit.from, document) + " into " + layer_words(edit.into, document);
   }
   std::string operator()(const PartsEdit& edit) const { return edit.name; }
   std::string operator()(const LockEdit& edit) const { return lock_words(edit); }
@@ -76,7 +77,7 @@ struct CommandOf {
 
 }  // namespace
 
-std::string edit_name(const Edit& edit) { return std::visit(NameOf{}, edit); }
+std::string edit_name(const Edit& edit, const Document& document) { return std::visit(NameOf{document}, edit); }
 
 Result<std::unique_ptr<Command>> make_command(const Document& document, const Edit& edit, const EditGrounds& grounds) {
   return std::visit(CommandOf{document, grounds}, edit);

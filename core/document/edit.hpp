@@ -143,7 +143,7 @@ struct StrokeGround {
                                                            std::shared_ptr<const Grid<float>> computed);
 
 /// What a person reads in the history: "Paint oak", "Fill moisture", "Select".
-[[nodiscard]] std::string edit_name(const Edit& edit);
+[[nodiscard]] std::string edit_name(const Edit& edit, const Document& document);
 
 /// The undo step that an edit makes of the document, not yet applied; null when it changes nothing. Fails with what is missing:
 /// an unknown layer or species, a locked layer, a map of another size. The document is not changed. A stroke gives the same as

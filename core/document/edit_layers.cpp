@@ -134,7 +134,7 @@ std::unique_ptr<Command> layer_command(const Document& document, const LayerId& 
 CommandResult clear_command(const Document& document, const ClearEdit& edit) {
   if (const Status editable = check_editable(document, edit.layer); !editable) return tl::unexpected(editable.error());
   if (!document.locked_area) {
-    return layer_command(document, edit.layer, edit_name(edit),
+    return layer_command(document, edit.layer, edit_name(edit, document),
                          [](std::size_t, const PaintLayer*) { return PaintLayer::TilePointer{}; });
   }
   if (const Status size = check_size(document, document.locked_area->rect(), "The locked area"); !size) {
@@ -142,7 +142,7 @@ CommandResult clear_command(const Document& document, const ClearEdit& edit) {
   }
   // Paint goes where it would give way to paint of no coverage.
   const Grid<float>& height = document.terrain->height;
-  return layer_command(document, edit.layer, edit_name(edit),
+  return layer_command(document, edit.layer, edit_name(edit, document),
                        Mixer{LayerMix::replace, edit.layer.kind, nullptr, &height, nullptr, document.locked_area.get()});
 }
 
@@ -162,7 +162,7 @@ CommandResult image_command(const Document& document, const ImageEdit& edit, con
   painter.source = edit.values.get();
   const CellFilter filter(brush.filter, &ground->maps, document.selection.get(), document.locked_area.get());
   const PaintLayer map(edit.values->width(), edit.values->height());
-  return layer_command(document, edit.layer, edit_name(edit), [&](std::size_t tile, const PaintLayer* before) {
+  return layer_command(document, edit.layer, edit_name(edit, document), [&](std::size_t tile, const PaintLayer* before) {
     const auto weights = filter.blocks_tile(tile) ? std::nullopt : tile_weights(tile, map.tile_rect(tile), filter);
     if (!weights) return before == nullptr ? PaintLayer::TilePointer{} : before->tile(tile);
     return painted_tile(painter, before, *weights);
@@ -180,7 +180,7 @@ CommandResult mix_command(const Document& document, const MixEdit& edit, const E
   }
   const PaintLayer* other = edit.paint ? edit.paint.get() : paint_on(document, edit.from);
   return layer_command(
-      document, edit.into, edit_name(edit),
+      document, edit.into, edit_name(edit, document),
       Mixer{edit.mix, edit.into.kind, other, computed.get(), document.selection.get(), document.locked_area.get()});
 }
 

@@ -47,7 +47,7 @@ CommandResult lock_command(const Document& document, const LockEdit& edit) {
   if (before == locked || (before && locked && *before == *locked)) return std::unique_ptr<Command>{};
   Document after = document;
   after.locked_area = locked;
-  return std::make_unique<DocumentCommand>(edit_name(edit), document, std::move(after));
+  return std::make_unique<DocumentCommand>(edit_name(edit, document), document, std::move(after));
 }
 
 }  // namespace biotope

@@ -70,7 +70,7 @@ CommandResult select_command(const Document& document, const SelectEdit& edit, c
   if (same) return std::unique_ptr<Command>{};
   Document selected = document;
   selected.selection = std::move(after);
-  return std::make_unique<DocumentCommand>(edit_name(edit), document, std::move(selected));
+  return std::make_unique<DocumentCommand>(edit_name(edit, document), document, std::move(selected));
 }
 
 }  // namespace biotope

@@ -88,7 +88,7 @@ CommandResult fill_command(const Document& document, const FillEdit& edit, const
   const CellFilter filter(edit.brush.filter, &ground->maps, document.selection.get(), document.locked_area.get());
   const PaintLayer map(document.terrain->height.width(), document.terrain->height.height());
   std::vector<std::unique_ptr<Command>> commands;
-  const std::string name = edit_name(edit);
+  const std::string name = edit_name(edit, document);
   // One after the other, so that a layer named twice is filled twice.
   Document filled = document;
   for (const StrokeTarget& target : ground->targets) {

@@ -10,8 +10,8 @@ namespace biotope {
 
 namespace {
 
-/// Steps on either side of where one stands that stay as they are, so that going a few steps back and forth is free; and the memory they
-/// may take. Our choice.
+/// Steps on either side of where one stands that stay as they are, so that going a few steps back and forth is free; and the
+/// memory they may take. Our choice.
 constexpr std::size_t steps_kept_loose = 8;
 constexpr std::size_t most_bytes_loose = std::size_t(64) << 20;
 /// Packed at a time, so that results arrive in portions. Our choice.
@@ -128,7 +128,8 @@ void History::count(Step& step) {
     if (holders_[block]++ == 0) bytes_ += bytes;
   });
   step.blocks.shrink_to_fit();
-  step.own_bytes = sizeof(Step) + step.name.capacity() + step.command->own_bytes() + step.blocks.size() * sizeof(step.blocks.front());
+  step.own_bytes =
+      sizeof(Step) + step.name.capacity() + step.command->own_bytes() + step.blocks.size() * sizeof(step.blocks.front());
   bytes_ += step.own_bytes;
 }
 
@@ -146,7 +147,8 @@ void History::forget(Step& step) {
 
 /// Numbers grow along the line. The number of steps when there is no such step.
 std::size_t History::index_of(std::uint64_t number) const {
-  const auto at = std::lower_bound(steps_.begin(), steps_.end(), number, [](const Step& step, std::uint64_t wanted) { return step.number < wanted; });
+  const auto at = std::lower_bound(steps_.begin(), steps_.end(), number,
+                                   [](const Step& step, std::uint64_t wanted) { return step.number < wanted; });
   return at != steps_.end() && at->number == number ? std::size_t(at - steps_.begin()) : steps_.size();
 }
 

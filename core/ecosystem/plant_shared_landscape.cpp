@@ -47,6 +47,7 @@ SharedLandscape::SharedLandscape(const std::vector<WantedPlant>& wanted, const P
       environment_(environment),
       cells_(cells),
       fitness_(traits_of(wanted)),
+      years_(cells.size()),
       stock_(cells.size()),
       fixed_(cells.size() * wanted.size()),
       cover_(cells.size() * wanted.size()),
@@ -97,12 +98,10 @@ void SharedLandscape::start_cell(std::size_t cell, std::vector<std::uint8_t>& ke
   if (std::ranges::all_of(fixed, [](std::uint8_t key) { return key == 0; })) return;
   FloraFitness::Room room;
   fitness_.limit(Resource::temperature, year_intervals(environment_.year(Resource::temperature, x, y)), 0, room, fixed);
-  keys_of(cell, year_of(Resource::illumination, cell), year_of(Resource::moisture, cell), room, keys);
+  years_[cell].light = year_intervals(environment_.year(Resource::illumination, x, y));
+  years_[cell].water = year_intervals(environment_.year(Resource::moisture, x, y));
+  keys_of(cell, room, keys);
   for (std::size_t i = 0; i < wanted_.size(); ++i) priority_[i].put(cell, keys[i]);
-}
-
-YearIntervals SharedLandscape::year_of(Resource resource, std::size_t cell) const {
-  return year_intervals(environment_.year(resource, cells_[cell][0], cells_[cell][1]));
 }
 
 /// The fitness, in steps of 1/240, that no shade and no thirst could raise: soil and temperature, own crowding, ground.
@@ -114,8 +113,8 @@ std::uint8_t SharedLandscape::ceiling(std::size_t cell, std::size_t i) const {
 }
 
 /// Keys of all plants in a cell: fitness with what is left, 0 where a need of a unit is not available.
-void SharedLandscape::keys_of(std::size_t cell, const YearIntervals& light, const YearIntervals& water, FloraFitness::Room& room,
-                              std::span<std::uint8_t> keys) const {
+void SharedLandscape::keys_of(std::size_t cell, FloraFitness::Room& room, std::span<std::uint8_t> keys) const {
+  const auto& [light, water] = years_[cell];
   const Stock& stock = stock_[cell];
   for (std::size_t i = 0; i < wanted_.size(); ++i) {
     keys[i] = is_fed(wanted_[i], stock.light_taken, stock.water_taken, light, water) ? ceiling(cell, i) : std::uint8_t(0);
@@ -125,19 +124,18 @@ void SharedLandscape::keys_of(std::size_t cell, const YearIntervals& light, cons
   for (std::uint8_t& key : keys) key = key_of_fitness(key);
 }
 
-/// The key of one plant in a cell as it is now. Keeps the cell's light and water for give_unit.
+/// The key of one plant in a cell as it is now.
 std::uint8_t SharedLandscape::look_at(std::size_t cell, std::size_t i) {
   const std::uint8_t most = ceiling(cell, i);
   if (most == 0) return 0;
   const Stock& stock = stock_[cell];
-  light_ = year_of(Resource::illumination, cell);
-  water_ = year_of(Resource::moisture, cell);
-  if (!is_fed(wanted_[i], stock.light_taken, stock.water_taken, light_, water_)) return 0;
-  return key_of_fitness(std::min({most, fitness_.key_of(i, Resource::illumination, light_, stock.light_taken),
-                                  fitness_.key_of(i, Resource::moisture, water_, stock.water_taken)}));
+  const auto& [light, water] = years_[cell];
+  if (!is_fed(wanted_[i], stock.light_taken, stock.water_taken, light, water)) return 0;
+  return key_of_fitness(std::min({most, fitness_.key_of(i, Resource::illumination, light, stock.light_taken),
+                                  fitness_.key_of(i, Resource::moisture, water, stock.water_taken)}));
 }
 
-/// Gives a unit in the cell that was looked at last. Keys in the queues are upper bounds, looked at again when they come
+/// Gives a unit. Keys in the queues are upper bounds, looked at again when they come
 /// first: what is taken makes a place worse, but for plants for which it was too bright or too wet.
 void SharedLandscape::give_unit(std::size_t cell, std::size_t i) {
   const WantedPlant& plant = wanted_[i];
@@ -150,7 +148,7 @@ void SharedLandscape::give_unit(std::size_t cell, std::size_t i) {
   cover_[cell * wanted_.size() + i] += plant.unit;
   priority_[i].set(cell, std::min(priority_[i].best(), key_of_fitness(ceiling(cell, i))));
   if (!may_rise) return;
-  keys_of(cell, light_, water_, room_, keys_);
+  keys_of(cell, room_, keys_);
   for (std::size_t other = 0; other < wanted_.size(); ++other) {
     if (keys_[other] > priority_[other].key(cell)) priority_[other].set(cell, keys_[other]);
   }
@@ -161,14 +159,15 @@ void SharedLandscape::give_unit(std::size_t cell, std::size_t i) {
 void SharedLandscape::prefetch(std::size_t cell) const {
   if (cell >= stock_.size()) return;
   __builtin_prefetch(&stock_[cell]);
+  __builtin_prefetch(&years_[cell]);
   __builtin_prefetch(&fixed_[cell * wanted_.size()]);
   __builtin_prefetch(&cover_[cell * wanted_.size()]);
 }
 
-/// Whether the cell that was looked at last is, for part of the year, too bright or too wet for a plant that could live there.
+/// Whether a cell is, for part of the year, too bright or too wet for a plant that could live there.
 bool SharedLandscape::someone_has_too_much(std::size_t cell) const {
-  const float brightest = light_.most - stock_[cell].light_taken;
-  const float wettest = water_.most - stock_[cell].water_taken;
+  const float brightest = years_[cell].light.most - stock_[cell].light_taken;
+  const float wettest = years_[cell].water.most - stock_[cell].water_taken;
   for (std::size_t i = 0; i < wanted_.size(); ++i) {
     const PlantTraits& plant = *wanted_[i].traits;
     const bool too_much = plant.illumination.high < brightest || plant.moisture.high < wettest;

@@ -56,10 +56,8 @@ class SharedLandscape {
 
  private:
   void start_cell(std::size_t cell, std::vector<std::uint8_t>& keys);
-  [[nodiscard]] YearIntervals year_of(Resource resource, std::size_t cell) const;
   [[nodiscard]] std::uint8_t ceiling(std::size_t cell, std::size_t i) const;
-  void keys_of(std::size_t cell, const YearIntervals& light, const YearIntervals& water, FloraFitness::Room& room,
-               std::span<std::uint8_t> keys) const;
+  void keys_of(std::size_t cell, FloraFitness::Room& room, std::span<std::uint8_t> keys) const;
   std::uint8_t look_at(std::size_t cell, std::size_t i);
   void give_unit(std::size_t cell, std::size_t i);
   void prefetch(std::size_t cell) const;
@@ -72,18 +70,23 @@ class SharedLandscape {
     std::array<Cover, strata> ground{full_cover, full_cover, full_cover};
   };
 
+  /// What a cell's year brings.
+  struct Years {
+    YearIntervals light;
+    YearIntervals water;
+  };
+
   // Numbers by cell and wanted plant lie side by side for each cell.
   const std::vector<WantedPlant>& wanted_;
   const PlantEnvironment& environment_;
   const CellList& cells_;
   FloraFitness fitness_;
+  std::vector<Years> years_;
   std::vector<Stock> stock_;
   std::vector<std::uint8_t> fixed_;  ///< fitness that nothing consumes, steps of 1/240
   std::vector<Cover> cover_;
   std::vector<CellPriority> priority_;
-  // Light and water of the cell that was looked at last, and room for its keys.
-  YearIntervals light_;
-  YearIntervals water_;
+  // Room for the keys of one cell.
   FloraFitness::Room room_;
   std::vector<std::uint8_t> keys_;
 };

@@ -51,7 +51,7 @@ void compete_for_tile(std::size_t index, std::vector<CoverMap>& covers, const Co
 template <class Compete>
 Result<std::vector<CoverMap>> compete_everywhere(const Rect& area, int plants, const TaskContext& context,
                                                  const Compete& compete) {
-  // Tiles between two looks at the stop token: enough to keep every core busy, few enough to stop at once.
+  // Tiles between two reports: enough to keep every core busy.
   constexpr std::size_t tiles_at_once = 64;
   std::vector<CoverMap> covers(std::size_t(plants), CoverMap(area.width(), area.height()));
   if (covers.empty()) return covers;
@@ -59,8 +59,11 @@ Result<std::vector<CoverMap>> compete_everywhere(const Rect& area, int plants, c
   for (std::size_t first = 0; first < tiles; first += tiles_at_once) {
     if (context.stopped()) return fail("Plant competition was stopped.");
     context.report(plant_competition_stage, double(first) / double(tiles));
-    parallel_each(std::min(tiles_at_once, tiles - first), [&](std::size_t i) { compete_for_tile(first + i, covers, compete); });
+    parallel_each(std::min(tiles_at_once, tiles - first), [&](std::size_t i) {
+      if (!context.stopped()) compete_for_tile(first + i, covers, compete);
+    });
   }
+  if (context.stopped()) return fail("Plant competition was stopped.");
   context.report(plant_competition_stage, 1);
   return covers;
 }

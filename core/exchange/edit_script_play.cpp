@@ -112,7 +112,7 @@ class Player {
     }
     auto command = make_command(document, *edit, edit_grounds(*maps, needs));
     if (!command) return fail(where + ": " + command.error().message);
-    if (!*command) return std::make_unique<GroupCommand>(edit_name(*edit), std::vector<CommandPointer>{});
+    if (!*command) return std::make_unique<GroupCommand>(edit_name(*edit, document), std::vector<CommandPointer>{});
     return command;
   }
 

@@ -9,7 +9,9 @@ namespace {
 
 /// The hour within the 24 that begin at `first`.
 double hour_within_day(double hour, double first) {
-  const double offset = std::fmod(hour - first, 24.0);
+  const double from_first = hour - first;
+  // Nearly always within a day already: a division less.
+  const double offset = std::abs(from_first) < 24 ? from_first : std::fmod(from_first, 24.0);
   return first + (offset < 0 ? offset + 24 : offset);
 }
 

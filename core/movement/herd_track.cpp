@@ -23,27 +23,44 @@ double within_day(double seconds) {
 
 }  // namespace
 
+/// Sums of the shares of the first samples, in whole units: they do not depend on where a stretch begins, so that differences of
+/// two are exact.
+struct HerdTrack::Sums {
+  static constexpr double unit = 1.0 / double(std::int64_t(1) << 32);
+  std::int64_t march = 0;
+  std::int64_t feeding = 0;
+  std::int64_t drinking = 0;
+  std::int64_t resting = 0;
+  std::int64_t hunting = 0;
+
+  void add(const Sample& sample) {
+    const auto units = [](double share) { return std::int64_t(share / unit); };
+    march += units(sample.march);
+    feeding += units(sample.feeding);
+    drinking += units(sample.drinking);
+    resting += units(sample.resting);
+    hunting += units(sample.hunting);
+  }
+};
+
 HerdTrack::HerdTrack(const HerdCast& cast, double from, double until, double step)
     : cast_(cast), step_(step), first_(std::int64_t(std::floor(from / step))), last_(std::int64_t(std::ceil(until / step)) + 1) {
   const std::vector<Sample> raw = raw_samples();
-  const auto reach = std::int64_t(std::ceil(smoothing / step_));
-  const double share = 1 / double(2 * reach + 1);
-  Sample sum{};
-  const auto add = [&](const Sample& sample, double weight) {
-    sum.march += weight * sample.march;
-    sum.feeding += weight * sample.feeding;
-    sum.drinking += weight * sample.drinking;
-    sum.resting += weight * sample.resting;
-    sum.hunting += weight * sample.hunting;
-  };
-  for (std::int64_t i = first_; i <= last_; ++i) {
-    // Summed anew for each sample: a running sum would depend on where the stretch begins.
-    sum = {};
-    const auto middle = std::size_t(i - first_ + reach);
-    for (std::int64_t k = -reach; k <= reach; ++k) add(raw[std::size_t(std::int64_t(middle) + k)], share);
-    sum.at = raw[middle].at;
-    sum.ahead = raw[middle].ahead;
-    samples_.push_back(sum);
+  std::vector<Sums> sums(1);
+  sums.reserve(raw.size() + 1);
+  for (const Sample& sample : raw) {
+    sums.push_back(sums.back());
+    sums.back().add(sample);
+  }
+  const auto reach = std::size_t(std::ceil(smoothing / step_));
+  const std::size_t averaged = 2 * reach + 1;
+  samples_.reserve(std::size_t(last_ - first_ + 1));
+  for (std::size_t i = 0; i <= std::size_t(last_ - first_); ++i) {
+    const Sums& before = sums[i];
+    const Sums& after = sums[i + averaged];
+    const auto mean = [&](std::int64_t Sums::*sum) { return double(after.*sum - before.*sum) * (Sums::unit / double(averaged)); };
+    samples_.push_back({raw[i + reach].at, raw[i + reach].ahead, mean(&Sums::march), mean(&Sums::feeding), mean(&Sums::drinking),
+                        mean(&Sums::resting), mean(&Sums::hunting)});
   }
   first_stretch_ = std::int64_t(std::floor(double(first_) * step_ / rest_stretch)) - 1;
   for (std::int64_t i = first_stretch_; double(i) * rest_stretch <= double(last_) * step_; ++i) {

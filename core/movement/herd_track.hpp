@@ -44,6 +44,7 @@ class HerdTrack {
     double resting = 0;
     double hunting = 0;
   };
+  struct Sums;
   [[nodiscard]] std::vector<Sample> raw_samples() const;
   [[nodiscard]] Place resting_place(double seconds) const;
   void set_stops(HerdMoment& moment, double seconds) const;

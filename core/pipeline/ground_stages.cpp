@@ -88,13 +88,44 @@ std::shared_ptr<const Terrain> painted_land(LandStage& stage, const std::shared_
   return stage.painted.newest();
 }
 
-/// Tiles in which two grounds of one file differ.
-TileSet reshaped(const LandStage& stage, const Terrain& land, const PaintLayer* paint, const DrawnWater& water) {
-  const Grid<float>& before = stage.land->height;
-  const bool paint_alone = stage.water == DrawnWater{} && water == DrawnWater{};
-  const TileSet tiles = paint_alone ? repainted(stage.paint.get(), paint, before.width(), before.height())
-                                    : TileSet::all(before.width(), before.height());
-  return changed_tiles(tiles, [&](const Rect& rect) { return !same_cells(land.height, before, rect); });
+/// The ground with drawn water, and tiles in which it may be another than before.
+std::shared_ptr<const Terrain> shaped_land(LandStage& stage, const std::shared_ptr<const Terrain>& file,
+                                           const std::shared_ptr<const PaintLayer>& paint, const DrawnWater& water,
+                                           TileSet& written) {
+  const std::shared_ptr<const Terrain> ground = paint ? painted_land(stage, file, paint) : file;
+  const int width = file->height.width();
+  const int height = file->height.height();
+  if (!stage.shaped || stage.file != file) {
+    auto shaped = std::make_shared<Terrain>(TerrainCopy::value(*ground));
+    stage.shaping.lay(water, *shaped);
+    stage.shaped.restart(std::move(shaped));
+    written = TileSet::all(width, height);
+  } else {
+    const TileSet changed = repainted(stage.shaped_paint.get(), paint.get(), width, height);
+    const auto before = stage.shaped.newest();
+    auto next = stage.shaped.copy();
+    written = TileSet(width, height);
+    const TileSet small = stage.shaping.follow(*ground, changed, water, *next);
+    for (const std::size_t tile : small.list()) written.insert(small.rect(tile));
+    const auto differs = [&](const Rect& rect) { return !same_cells(next->height, before->height, rect); };
+    const TileSet others = changed_tiles(written, differs);
+    stage.shaped.put(std::move(next), others);
+  }
+  stage.shaped_paint = paint;
+  return stage.shaped.newest();
+}
+
+/// The ground, and tiles in which it may be another than that of before, if that was of the same file.
+std::shared_ptr<const Terrain> land_of(LandStage& stage, const std::shared_ptr<const Terrain>& file,
+                                       const std::shared_ptr<const PaintLayer>& paint, const DrawnWater& water,
+                                       TileSet& written) {
+  const bool water_before = stage.water != DrawnWater{};
+  if (water != DrawnWater{}) return shaped_land(stage, file, paint, water, written);
+  stage.shaped = {};
+  stage.shaping = {};
+  written = water_before ? TileSet::all(file->height.width(), file->height.height())
+                         : repainted(stage.paint.get(), paint.get(), file->height.width(), file->height.height());
+  return paint ? painted_land(stage, file, paint) : file;
 }
 
 }  // namespace
@@ -102,16 +133,13 @@ TileSet reshaped(const LandStage& stage, const Terrain& land, const PaintLayer* 
 void update_land(LandStage& stage, const std::shared_ptr<const Terrain>& file, const std::shared_ptr<const PaintLayer>& paint,
                  const DrawnWater& water) {
   if (stage.land && stage.file == file && stage.paint == paint && stage.water == water) return;
-  std::shared_ptr<const Terrain> land = file;
-  if (water != DrawnWater{}) {
-    land = std::make_shared<const Terrain>(shaped_terrain(*file, paint.get(), water));
-  } else if (paint) {
-    land = painted_land(stage, file, paint);
-  }
+  TileSet written;
+  const std::shared_ptr<const Terrain> land = land_of(stage, file, paint, water, written);
+  const auto differs = [&](const Rect& rect) { return !same_cells(land->height, stage.land->height, rect); };
   if (!stage.land || stage.file != file) {
     stage.changes.note_all(file->height.width(), file->height.height());
     stage.land = land;
-  } else if (TileSet changed = reshaped(stage, *land, paint.get(), water); changed.any()) {
+  } else if (TileSet changed = changed_tiles(written, differs); changed.any()) {
     stage.changes.note(std::move(changed));
     stage.land = land;
   } else if (land == file) {

@@ -9,6 +9,7 @@
 #include "core/terrain/drawn_water.hpp"
 #include "core/terrain/generations.hpp"
 #include "core/terrain/terrain.hpp"
+#include "core/terrain/water_shaping.hpp"
 
 namespace biotope {
 
@@ -36,10 +37,14 @@ struct LandStage {
   Generations<Terrain, TerrainCopy> painted;
   std::shared_ptr<const Terrain> painted_file;
   std::shared_ptr<const PaintLayer> painted_with;
+  /// The same with drawn water laid into it; empty where none is drawn. `shaped_paint` is what its newest version lies on.
+  Generations<Terrain, TerrainCopy> shaped;
+  std::shared_ptr<const PaintLayer> shaped_paint;
+  WaterShaping shaping;
 };
 
-/// Brings the ground up to date: where paint changed, and whole where rivers and lakes are drawn. The same pointer while no
-/// height changes; the file's terrain itself where nothing is painted or drawn.
+/// Brings the ground up to date: where paint changed, and around drawn rivers and lakes that have to do with that. The same
+/// pointer while no height changes; the file's terrain itself where nothing is painted or drawn.
 void update_land(LandStage& stage, const std::shared_ptr<const Terrain>& file, const std::shared_ptr<const PaintLayer>& paint,
                  const DrawnWater& water);
 

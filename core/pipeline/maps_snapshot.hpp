@@ -29,6 +29,9 @@ struct MapsSnapshot {
   std::uint64_t document_revision = 0;
   /// False while later stages are still to come.
   bool complete = false;
+  /// False where plants with desired shares compete by the schedule of before the last edits, and all that lives on them follows
+  /// from that: a snapshot with shares found anew over the whole land is to come.
+  bool balanced = true;
   /// A failure with the stage's name; the maps are then the last good ones.
   Status status;
 

@@ -86,14 +86,12 @@ bool by_schedule(const EnvironmentMaps& maps, const std::vector<double>& desired
   return !desired.empty() && competes_by_schedule(maps.geology->width(), maps.geology->height());
 }
 
-/// Finds the schedule anew; another one makes every tile stale.
-Status update_schedule(PlantStage& stage, const FoodWeb& web, const PlantEnvironment& environment,
-                       const std::vector<double>& desired, const TaskContext& context) {
-  auto schedule = share_schedule(web, environment, desired, context);
-  if (!schedule) return tl::unexpected<Error>(schedule.error());
-  if (*schedule != stage.schedule) stage.stale.insert(environment.maps->geology->rect());
-  stage.schedule = std::move(*schedule);
-  stage.schedule_stale = false;
+/// All cells by a schedule found anew. Until both are there the stage keeps the old ones, so that a run that is stopped leaves
+/// the next one little to do.
+Status compute_by_new_schedule(PlantStage& stage, const FoodWeb& web, const PlantEnvironment& environment, ShareSchedule schedule,
+                               const TaskContext& context) {
+  if (Status done = keep_covers(stage, compete_by_schedule(web, environment, schedule, context), context); !done) return done;
+  stage.schedule = std::move(schedule);
   return {};
 }
 
@@ -103,16 +101,14 @@ Status compute_all_plants(PlantStage& stage, const FoodWeb& web, const PlantEnvi
   if (!by_schedule(*environment.maps, desired)) {
     return keep_covers(stage, compete_with_proportions(web, environment, desired, context), context);
   }
-  if (Status done = update_schedule(stage, web, environment, desired, context); !done) return done;
-  return keep_covers(stage, compete_by_schedule(web, environment, stage.schedule, context), context);
+  auto schedule = share_schedule(web, environment, desired, context);
+  if (!schedule) return tl::unexpected<Error>(schedule.error());
+  return compute_by_new_schedule(stage, web, environment, std::move(*schedule), context);
 }
 
-Status compute_stale_plants(PlantStage& stage, const FoodWeb& web, const PlantEnvironment& environment, const TileSet& asked,
-                            const TaskContext& context) {
+/// Competition again in the tiles `asked`, without shares or by the schedule that the stage has.
+void compute_in_tiles(PlantStage& stage, const FoodWeb& web, const PlantEnvironment& environment, const TileSet& asked) {
   const ShareSchedule* const schedule = by_schedule(*environment.maps, stage.desired) ? &stage.schedule : nullptr;
-  if (schedule != nullptr && asked.every()) {
-    return keep_covers(stage, compete_by_schedule(web, environment, *schedule, context), context);
-  }
   std::vector<CoverMap> maps;
   for (const auto& cover : stage.covers) maps.push_back(*cover);
   compete_again(maps, web, environment, schedule, asked);
@@ -120,6 +116,17 @@ Status compute_stale_plants(PlantStage& stage, const FoodWeb& web, const PlantEn
     if (differing_tiles(stage.covers[i].get(), &maps[i], maps[i].tile_count()).empty()) continue;
     stage.covers[i] = std::make_shared<const CoverMap>(std::move(maps[i]));
   }
+}
+
+/// Brings all stale tiles up to date, and every tile where the schedule of shares comes out as another one.
+Status compute_stale_plants(PlantStage& stage, const FoodWeb& web, const PlantEnvironment& environment,
+                            const TaskContext& context) {
+  if (stage.schedule_stale) {
+    auto schedule = share_schedule(web, environment, stage.desired, context);
+    if (!schedule) return tl::unexpected<Error>(schedule.error());
+    if (*schedule != stage.schedule) return compute_by_new_schedule(stage, web, environment, std::move(*schedule), context);
+  }
+  compute_in_tiles(stage, web, environment, stage.stale);
   return {};
 }
 
@@ -144,16 +151,20 @@ Status update_plants(PlantStage& stage, const FoodWeb& web, const PlantEnvironme
     stage.seen_environment = 0;
     stage.stale = TileSet(moved.width(), moved.height(), small_side);
     if (Status done = compute_all_plants(stage, web, environment, desired, context); !done) return done;
+    stage.schedule_stale = false;
     stage.stale = TileSet(moved.width(), moved.height(), small_side);
   } else {
     stage.stale |= moved | repainted_tiles(stage, environment);
     stage.schedule_stale |= scheduled && !untouched;
-    if (stage.schedule_stale && near == nullptr) {
-      if (Status done = update_schedule(stage, web, environment, desired, context); !done) return done;
+    if (near != nullptr) {
+      const TileSet asked = stage.stale & near->in_tiles_of(small_side);
+      compute_in_tiles(stage, web, environment, asked);
+      stage.stale -= asked;
+    } else {
+      if (Status done = compute_stale_plants(stage, web, environment, context); !done) return done;
+      stage.schedule_stale = false;
+      stage.stale = TileSet(moved.width(), moved.height(), small_side);
     }
-    const TileSet asked = near != nullptr ? stage.stale & near->in_tiles_of(small_side) : stage.stale;
-    if (Status done = compute_stale_plants(stage, web, environment, asked, context); !done) return done;
-    stage.stale -= asked;
   }
   stage.seen_environment = changes.version();
   stage.desired = desired;
@@ -259,6 +270,25 @@ void update_tree_cover(TreeCoverStage& stage, std::vector<std::shared_ptr<const 
     }
   });
   stage.cover = std::move(cover);
+}
+
+void painted_plants(SolveCache::Stages& stages, MapsSnapshot& maps) {
+  const FoodWeb& web = *maps.web;
+  const auto& level = web.levels.front();
+  stages.covers.resize(level.size());
+  std::vector<std::shared_ptr<const CoverMap>> trees;
+  for (std::size_t i = 0; i < level.size(); ++i) {
+    const Species& plant = web.species[std::size_t(level[i])];
+    update_painted_cover(stages.covers[i], stages.plants.covers[i], maps.paint({LayerKind::plant_density, plant.name}));
+    maps.computed_cover.push_back(stages.plants.covers[i]);
+    maps.cover.push_back(stages.covers[i].cover);
+    if (plant.plant().stratum == Stratum::tree) trees.push_back(stages.covers[i].cover);
+  }
+  const auto& height = maps.document.terrain->height;
+  update_tree_cover(stages.tree_cover, std::move(trees), height.width(), height.height());
+  maps.tree_cover = stages.tree_cover.cover;
+  update_cover_totals(stages.cover_totals, maps.cover);
+  maps.plant_achieved = shares_of(stages.cover_totals);
 }
 
 }  // namespace biotope

@@ -29,16 +29,57 @@ void release_memory(SolveCache::Stages& stages) {
 /// One run over the operators, in topological order.
 class Run {
  public:
-  Run(const Document& document, SolveCache::Stages& stages, const TaskContext& context, const PublishPartial& publish)
-      : document_(document), stages_(stages), context_(context), publish_(publish), maps_(std::make_shared<MapsSnapshot>()) {
+  /// `lasts`: whether the stages are for further runs.
+  Run(const Document& document, SolveCache::Stages& stages, bool lasts, const TaskContext& context, const PublishPartial& publish)
+      : document_(document),
+        stages_(stages),
+        lasts_(lasts),
+        context_(context),
+        publish_(publish),
+        maps_(std::make_shared<MapsSnapshot>()) {
     maps_->document = document;
   }
 
   Result<std::shared_ptr<const MapsSnapshot>> all() {
     const std::uint64_t land_before = stages_.land.changes.version();
-    for (const auto& [name, step] : steps()) {
+    for (const auto& todo : {&Run::land, &Run::life_as_before, &Run::life}) {
+      if (Status done = (this->*todo)(); !done) return tl::unexpected<Error>(done.error());
+    }
+    // Once something else is edited, the ground may stay as it is for long.
+    if (stages_.land.changes.version() == land_before) release_memory(stages_);
+    return whole_snapshot();
+  }
+
+ private:
+  using Step = Status (Run::*)();
+  using Steps = std::vector<std::pair<std::string, Step>>;
+
+  Status land() {
+    return perform({{"species", &Run::species},
+                    {"ground", &Run::ground},
+                    {"slopes", &Run::slopes},
+                    {nearby_stage, &Run::nearby},
+                    {"water", &Run::water},
+                    {"environment", &Run::environment}});
+  }
+  Status life() {
+    if (Status done = perform({{"plants", &Run::plants}}); !done) return done;
+    return life_on_plants();
+  }
+  Status life_on_plants() {
+    return perform({{"animals", &Run::animals},
+                    {"travel", &Run::travel},
+                    {"trails", &Run::trails},
+                    {"daily plans", &Run::daily_plans},
+                    {"warnings", &Run::overpainted}});
+  }
+  Status life_as_before();
+  Status plants_as_before();
+
+  Status perform(const Steps& steps) {
+    for (const auto& [name, step] : steps) {
       if (context_.stopped()) return fail(stopped_message);
-      clock_.begin(name);
+      clock_.begin(balancing_ ? "balanced " + name : name);
       context_.report(name, 0);
       const Status done = (this->*step)();
       if (context_.stopped()) return fail(stopped_message);
@@ -46,33 +87,19 @@ class Run {
       publish_partial();
     }
     clock_.end();
-    // Once something else is edited, the ground may stay as it is for long.
-    if (stages_.land.changes.version() == land_before) release_memory(stages_);
-    maps_->timings = clock_.timings();
-    maps_->complete = true;
-    return std::shared_ptr<const MapsSnapshot>(std::make_shared<MapsSnapshot>(*maps_));
+    return {};
   }
 
- private:
-  using Step = Status (Run::*)();
-  static std::vector<std::pair<std::string, Step>> steps() {
-    return {{"species", &Run::species},
-            {"ground", &Run::ground},
-            {"slopes", &Run::slopes},
-            {nearby_stage, &Run::nearby},
-            {"water", &Run::water},
-            {"environment", &Run::environment},
-            {"plants", &Run::plants},
-            {"animals", &Run::animals},
-            {"travel", &Run::travel},
-            {"trails", &Run::trails},
-            {"daily plans", &Run::daily_plans},
-            {"warnings", &Run::overpainted}};
+  [[nodiscard]] std::shared_ptr<const MapsSnapshot> whole_snapshot() const {
+    auto whole = std::make_shared<MapsSnapshot>(*maps_);
+    whole->timings = clock_.timings();
+    whole->complete = true;
+    return whole;
   }
 
   void publish_partial() {
-    // What was shown near the brush stays until the same maps are known exactly.
-    if (!publish_ || !maps_->hydrology || (shown_nearby_ && maps_->cover.empty())) return;
+    // What was shown near the brush, or by the schedule of before, stays until the same maps are known exactly.
+    if (!publish_ || !maps_->hydrology || (shown_nearby_ && maps_->cover.empty()) || balancing_) return;
     publish_(std::make_shared<MapsSnapshot>(*maps_));
   }
 
@@ -87,11 +114,9 @@ class Run {
   Status ground();
   Status slopes();
   Status nearby();
-  Status plants_as_before();
   Status water();
   Status environment();
   Status plants();
-  void painted_plants(MapsSnapshot& maps);
   Status animals();
   Status animal_level(std::size_t index);
   Status travel();
@@ -119,11 +144,14 @@ class Run {
 
   const Document& document_;
   SolveCache::Stages& stages_;
+  bool lasts_;
   const TaskContext& context_;
   const PublishPartial& publish_;
   std::shared_ptr<MapsSnapshot> maps_;
   std::shared_ptr<const FoodWeb> biology_;
   bool shown_nearby_ = false;
+  /// Whether all that lives was shown by the schedule of before.
+  bool balancing_ = false;
   StageClock clock_;
 };
 
@@ -182,7 +210,7 @@ Status Run::nearby() {
   const Status done = update_plants(stages_.plants, *biology_, shown.plant_environment(), stages_.environment.changes,
                                     maps_->plant_desired, &near, context_);
   if (!done) return done;
-  painted_plants(shown);
+  painted_plants(stages_, shown);
   if (context_.stopped()) return fail(stopped_message);
   shown_nearby_ = true;
   publish_(std::make_shared<MapsSnapshot>(std::move(shown)));
@@ -208,55 +236,45 @@ Status Run::water() {
 
 Status Run::environment() {
   if (Status done = update_environment(stages_.environment, environment_input(), context_); !done) return done;
+  if (!lasts_) stages_.environment.soil.forget_passes();
   maps_->environment = stages_.environment.maps;
   return {};
 }
 
-/// Plants with desired shares are shown by the schedule of before first: the exact one may move all of them a little.
-Status Run::plants_as_before() {
+/// Shares are of the whole land: an edit anywhere may move every plant a little. So plants compete by the schedule of before
+/// first, where their cells changed, and animals, trails and plans follow from that; the schedule is found anew afterwards.
+Status Run::life_as_before() {
   const EnvironmentMaps& maps = *maps_->environment;
   if (!publish_ || maps_->plant_desired.empty()) return {};
   if (!can_answer_plants_near(stages_.plants, *biology_, maps, maps_->plant_desired)) return {};
-  const auto before = stages_.plants.covers;
-  TileSet everywhere(maps.geology->width(), maps.geology->height());
-  everywhere.insert(maps.geology->rect());
+  const auto as_it_was = std::make_shared<MapsSnapshot>(*maps_);
+  if (Status done = perform({{"plants", &Run::plants_as_before}}); !done) return done;
+  if (!maps_->balanced) {
+    if (Status done = life_on_plants(); !done) return done;
+    publish_(whole_snapshot());
+    balancing_ = true;
+  }
+  maps_ = as_it_was;
+  return {};
+}
+
+Status Run::plants_as_before() {
+  TileSet everywhere(maps_->environment->geology->width(), maps_->environment->geology->height());
+  everywhere.insert(maps_->environment->geology->rect());
   const Status done = update_plants(stages_.plants, *biology_, maps_->plant_environment(), stages_.environment.changes,
                                     maps_->plant_desired, &everywhere, context_);
-  if (!done || stages_.plants.covers == before) return done;
-  MapsSnapshot shown = *maps_;
-  painted_plants(shown);
-  shown_nearby_ = true;
-  publish_(std::make_shared<MapsSnapshot>(std::move(shown)));
+  if (!done) return done;
+  maps_->balanced = !stages_.plants.schedule_stale;
+  painted_plants(stages_, *maps_);
   return {};
 }
 
 Status Run::plants() {
-  if (Status done = plants_as_before(); !done) return done;
   const Status done = update_plants(stages_.plants, *biology_, maps_->plant_environment(), stages_.environment.changes,
                                     maps_->plant_desired, nullptr, context_);
   if (!done) return done;
-  painted_plants(*maps_);
+  painted_plants(stages_, *maps_);
   return {};
-}
-
-/// Lays paint on the plants that competed, and sums them.
-void Run::painted_plants(MapsSnapshot& maps) {
-  const FoodWeb& web = *maps.web;
-  const auto& level = web.levels.front();
-  stages_.covers.resize(level.size());
-  std::vector<std::shared_ptr<const CoverMap>> trees;
-  for (std::size_t i = 0; i < level.size(); ++i) {
-    const Species& plant = web.species[std::size_t(level[i])];
-    update_painted_cover(stages_.covers[i], stages_.plants.covers[i], maps.paint({LayerKind::plant_density, plant.name}));
-    maps.computed_cover.push_back(stages_.plants.covers[i]);
-    maps.cover.push_back(stages_.covers[i].cover);
-    if (plant.plant().stratum == Stratum::tree) trees.push_back(stages_.covers[i].cover);
-  }
-  const auto& height = document_.terrain->height;
-  update_tree_cover(stages_.tree_cover, std::move(trees), height.width(), height.height());
-  maps.tree_cover = stages_.tree_cover.cover;
-  update_cover_totals(stages_.cover_totals, maps.cover);
-  maps.plant_achieved = shares_of(stages_.cover_totals);
 }
 
 Status Run::animal_level(std::size_t index) {
@@ -378,7 +396,7 @@ Result<std::shared_ptr<const MapsSnapshot>> solve(const Document& document, Solv
                                                   const PublishPartial& publish) {
   if (const Status usable = check_inputs(document); !usable) return tl::unexpected<Error>(usable.error());
   SolveCache own;
-  return Run(document, (cache ? *cache : own).stages(), context, publish).all();
+  return Run(document, (cache ? *cache : own).stages(), cache != nullptr, context, publish).all();
 }
 
 }  // namespace biotope

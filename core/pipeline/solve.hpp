@@ -9,7 +9,8 @@
 
 namespace biotope {
 
-/// Called with partial snapshots while a solve runs (complete == false); may be empty.
+/// Called with partial snapshots while a solve runs (complete == false), and with a complete one that is not balanced yet; may be
+/// empty.
 using PublishPartial = std::function<void(std::shared_ptr<const MapsSnapshot>)>;
 
 /// What a solve leaves behind for the next one: the output of every operator beside the inputs it was made from. An operator

@@ -98,4 +98,7 @@ void update_painted_cover(PaintedCover& stage, const std::shared_ptr<const Cover
 /// Sums the covers of all trees, at most full_cover. Keeps the old grid when nothing changed.
 void update_tree_cover(TreeCoverStage& stage, std::vector<std::shared_ptr<const CoverMap>> trees, int width, int height);
 
+/// Lays paint on the plants that competed and sums them: what a snapshot tells of plants.
+void painted_plants(SolveCache::Stages& stages, MapsSnapshot& maps);
+
 }  // namespace biotope

@@ -98,6 +98,7 @@ StaleStages stale_stages(const MapsSnapshot* answered, const Document& document)
     return everything();
   }
   StaleStages stale;
+  if (!answered->balanced) mark_from(stale, 0);
   if (!same_inflows(before, document)) mark_ground(stale);
   mark_paint(stale, *answered, document);
   mark_species(stale, *answered, document);
@@ -115,7 +116,11 @@ StaleStages stale_stages(const MapsSnapshot* answered, const Document& document)
 }
 
 StaleStages still_stale(StaleStages stale, const MapsSnapshot& reached) {
-  if (reached.complete) return {};
+  if (reached.complete) {
+    stale = {};
+    if (!reached.balanced) mark_from(stale, 0);
+    return stale;
+  }
   if (reached.hydrology) stale.water = false;
   if (reached.environment) stale.environment = false;
   if (reached.cover.empty()) return stale;

@@ -26,7 +26,8 @@ namespace biotope {
 // chain: they are published again and again while a stroke lasts. The tail of a run, travel, trails and plans, gives way to such
 // an edit, so that the levels keep up with the brush; but once edits waited for `patience`, the tail goes on to its end whatever
 // arrives. A run that has answered a change of the ground near the brush gives way in the same manner: the next dab is answered
-// near it first.
+// near it first. Where shares of plants are found anew over the whole land after everything was answered by the schedule of
+// before, the run gives way to any edit, however long others waited: shares are of use once the brush rests.
 struct Worker::State {
   struct Job {
     Document document;
@@ -45,8 +46,10 @@ struct Worker::State {
   std::shared_ptr<const MapsSnapshot> latest;
   std::shared_ptr<const MapsSnapshot> complete;
   WorkerProgress progress;
-  /// Whether the run gives way to edits: past the levels of the food chain, or past an answer near the brush.
+  /// Whether the run gives way to edits: past the levels of the food chain, or past an answer near the brush; whatever waits once
+  /// all but the shares of plants is answered.
   bool gives_way = false;
+  bool only_balances = false;
   /// Since when edits wait for a complete answer: the first of them, or the last complete answer if that came later.
   std::chrono::steady_clock::time_point waiting_since;
   SolveCache cache;
@@ -55,6 +58,7 @@ struct Worker::State {
   std::jthread thread;
 
   std::uint64_t post(Document document, bool from_scratch);
+  [[nodiscard]] bool lets_edits_pass() const;
   void loop(std::stop_token stop);
   void free_old_maps();
   void run(const Job& job);
@@ -81,13 +85,16 @@ bool is_tail(std::string_view stage) { return stage == "travel" || stage == "tra
 
 }  // namespace
 
+/// Whether an edit that waits, or arrives now, stops the run.
+bool Worker::State::lets_edits_pass() const {
+  return only_balances || (gives_way && std::chrono::steady_clock::now() - waiting_since < patience);
+}
+
 std::uint64_t Worker::State::post(Document document, bool from_scratch) {
   const std::lock_guard lock(mutex);
   const bool scratch = from_scratch || (slot && slot->from_scratch);
-  const auto now = std::chrono::steady_clock::now();
-  if (!running && !slot) waiting_since = now;
-  const bool early = gives_way && now - waiting_since < patience;
-  if (running && (from_scratch || early || !same_world(*running, document))) run_stop.request_stop();
+  if (!running && !slot) waiting_since = std::chrono::steady_clock::now();
+  if (running && (from_scratch || lets_edits_pass() || !same_world(*running, document))) run_stop.request_stop();
   slot = Job{std::move(document), ++posted, scratch};
   progress.busy = true;
   wake.notify_one();
@@ -148,7 +155,7 @@ void Worker::State::run(const Job& job) {
     progress.busy = true;
     progress.levels_done = 0;
     progress.stale = stale_stages(job.from_scratch ? nullptr : complete.get(), job.document);
-    gives_way = false;
+    gives_way = only_balances = false;
   }
   context.progress = [this](std::string_view stage, double fraction) {
     const std::lock_guard lock(mutex);
@@ -156,13 +163,15 @@ void Worker::State::run(const Job& job) {
     progress.fraction = fraction;
     gives_way = gives_way || is_tail(stage);
     // An edit that arrived while the levels were computed is answered before the tail begins.
-    if (gives_way && slot && std::chrono::steady_clock::now() - waiting_since < patience) run_stop.request_stop();
+    if (slot && lets_edits_pass()) run_stop.request_stop();
   };
   const auto show = [&](std::shared_ptr<const MapsSnapshot> partial) {
     if (context.stopped()) return;
     publish(*partial, job.revision);
     const std::lock_guard lock(mutex);
     gives_way = gives_way || progress.stage == nearby_stage;
+    only_balances = partial->complete;
+    if (slot && only_balances) run_stop.request_stop();
   };
   Result<std::shared_ptr<const MapsSnapshot>> result = fail(stopped_message);
   try {
@@ -215,6 +224,11 @@ Worker::~Worker() {
 
 std::uint64_t Worker::post(Document document) { return state_->post(std::move(document), false); }
 std::uint64_t Worker::post_from_scratch(Document document) { return state_->post(std::move(document), true); }
+
+void Worker::retire(std::shared_ptr<const void> thing) {
+  const std::lock_guard lock(state_->mutex);
+  state_->old_maps.keep(std::move(thing));
+}
 
 void Worker::cancel() {
   const std::lock_guard lock(state_->mutex);

@@ -35,6 +35,9 @@ class Worker {
   std::uint64_t post(Document document);
   /// Forgets everything computed, then posts (recompute from scratch).
   std::uint64_t post_from_scratch(Document document);
+  /// Has a thing freed in the background as soon as nobody else holds it: a snapshot that was put together of others may be the
+  /// last to hold their maps.
+  void retire(std::shared_ptr<const void> thing);
   /// Stops the current run; the last good snapshot stays.
   void cancel();
   /// Newest snapshot, partial or complete; null before the first. Never blocks on a computation.

@@ -5,7 +5,7 @@
 
 #include "core/base/parallel.hpp"
 #include "core/terrain/ground_tiles.hpp"
-#include "core/terrain/shaping_parts.hpp"
+#include "core/terrain/water_shaping.hpp"
 
 namespace biotope {
 namespace {
@@ -32,8 +32,7 @@ void paint_heights(const Grid<float>& height, const PaintLayer* paint, const Rec
 Terrain shaped_terrain(const Terrain& terrain, const PaintLayer* heights, const DrawnWater& water) {
   Terrain land = terrain;
   if (heights != nullptr) lay_paint(*heights, terrain.height, land.height);
-  const std::vector<LakeBasin> lakes = dig_lakes(land, water.lakes);
-  carve_rivers(land, water.rivers, lakes);
+  WaterShaping().lay(water, land);
   return land;
 }
 

@@ -14,10 +14,12 @@ constexpr double bank_rise = 0.9239;
 
 }  // namespace
 
-void cut_with_banks(Grid<float>& height, double cell_size, std::span<const CutCell> cells, std::span<const LakeBasin> lakes) {
+void cut_with_banks(Grid<float>& height, double cell_size, std::span<const CutCell> cells, std::span<const LakeBasin> lakes,
+                    TouchedTiles& touched) {
   using Entry = std::pair<float, std::size_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
   const auto cut = [&](std::size_t cell, float level) {
+    touched.insert_cell(cell);
     if (!(level < height[cell])) return;
     height[cell] = level;
     front.emplace(level, cell);
@@ -39,7 +41,11 @@ void cut_with_banks(Grid<float>& height, double cell_size, std::span<const CutCe
       const bool drains = std::any_of(lakes.begin(), lakes.end(), [&](const LakeBasin& lake) {
         return lake.part(nx, ny) != LakeBasin::outside && bank < lake.surface;
       });
-      if (!drains) cut(height.index(nx, ny), bank);
+      if (drains) {
+        touched.insert_cell(height.index(nx, ny));
+      } else {
+        cut(height.index(nx, ny), bank);
+      }
     }
   }
 }

@@ -188,25 +188,22 @@ std::vector<std::uint32_t> cells_of_lakes(std::span<const DrawnLake> lakes, cons
   return cells;
 }
 
-std::vector<LakeBasin> dig_lakes(Terrain& terrain, std::span<const DrawnLake> lakes) {
-  std::vector<LakeBasin> dug;
-  for (const DrawnLake& drawn : lakes) {
-    LakeBasin lake = outline(drawn, terrain.height.rect());
-    if (lake.bounds.empty()) continue;
-    lake.surface = std::numeric_limits<float>::infinity();
-    bool has_basin = false;
-    for (int y = lake.bounds.y0; y < lake.bounds.y1; ++y) {
-      for (int x = lake.bounds.x0; x < lake.bounds.x1; ++x) {
-        has_basin |= lake.part(x, y) == LakeBasin::basin;
-        if (lake.part(x, y) == LakeBasin::rim) lake.surface = std::min(lake.surface, surface_at(terrain, dug, x, y));
-      }
+void dig_lake(Terrain& terrain, const DrawnLake& drawn, std::vector<LakeBasin>& lakes, TouchedTiles& touched) {
+  LakeBasin lake = outline(drawn, terrain.height.rect());
+  if (lake.bounds.empty()) return;
+  touched.insert(lake.bounds);
+  lake.surface = std::numeric_limits<float>::infinity();
+  bool has_basin = false;
+  for (int y = lake.bounds.y0; y < lake.bounds.y1; ++y) {
+    for (int x = lake.bounds.x0; x < lake.bounds.x1; ++x) {
+      has_basin |= lake.part(x, y) == LakeBasin::basin;
+      if (lake.part(x, y) == LakeBasin::rim) lake.surface = std::min(lake.surface, surface_at(terrain, lakes, x, y));
     }
-    if (!has_basin) continue;
-    const std::vector<CutCell> floor = basin_floor(lake, drawn.depth, terrain);
-    dug.push_back(std::move(lake));
-    cut_with_banks(terrain.height, terrain.cell_size, floor, dug);
   }
-  return dug;
+  if (!has_basin) return;
+  const std::vector<CutCell> floor = basin_floor(lake, drawn.depth, terrain);
+  lakes.push_back(std::move(lake));
+  cut_with_banks(terrain.height, terrain.cell_size, floor, lakes, touched);
 }
 
 }  // namespace biotope

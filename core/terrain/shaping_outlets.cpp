@@ -59,7 +59,7 @@ TiledMap<std::uint8_t> upstream_cells(const Grid<float>& height, const BedEnd& e
 }  // namespace
 
 std::vector<CutCell> lead_out(const Terrain& terrain, const BedEnd& end, std::span<const CutCell> bed,
-                              std::span<const LakeBasin> lakes) {
+                              std::span<const LakeBasin> lakes, TouchedTiles& touched) {
   const Grid<float>& height = terrain.height;
   const auto width = std::size_t(height.width());
   const std::size_t start = height.index(end.x, end.y);
@@ -75,6 +75,7 @@ std::vector<CutCell> lead_out(const Terrain& terrain, const BedEnd& end, std::sp
   std::priority_queue<Visit, std::vector<Visit>, std::greater<>> front;
   std::unordered_map<std::size_t, Best> best{{start, {0, 0, start}}};
   front.push({0, 0, start});
+  touched.insert_cell(start);
   for (std::size_t seen = 0; !front.empty() && seen < most_cells; ++seen) {
     const Visit visit = front.top();
     front.pop();
@@ -93,6 +94,7 @@ std::vector<CutCell> lead_out(const Terrain& terrain, const BedEnd& end, std::sp
       const int ny = y + neighbour_dy[d];
       if (!height.contains(nx, ny)) continue;
       const std::size_t next = height.index(nx, ny);
+      touched.insert_cell(next);
       if (height[next] > highest || upstream(nx, ny) != 0) continue;
       const double step = terrain.cell_size / double(neighbour_inverse_distance[d]);
       const double dig = std::max(0.0, double(height[next]) - double(end.bed));

@@ -21,6 +21,6 @@ struct BedEnd {
 /// river would stand in its own bed. The way of least digging, never through ground higher than at the end itself; none where
 /// there is no such way, as in a hollow. `bed` are the river's own cells: they are crossed at the end only.
 [[nodiscard]] std::vector<CutCell> lead_out(const Terrain& terrain, const BedEnd& end, std::span<const CutCell> bed,
-                                            std::span<const LakeBasin> lakes);
+                                            std::span<const LakeBasin> lakes, TouchedTiles& touched);
 
 }  // namespace biotope

@@ -7,6 +7,7 @@
 #include "core/base/grid.hpp"
 #include "core/terrain/drawn_water.hpp"
 #include "core/terrain/terrain.hpp"
+#include "core/terrain/tile_set.hpp"
 
 namespace biotope {
 
@@ -27,11 +28,16 @@ struct LakeBasin {
   }
 };
 
-/// Digs the lakes and returns those that hold water.
-std::vector<LakeBasin> dig_lakes(Terrain& terrain, std::span<const DrawnLake> lakes);
+/// Which of the tiles (small_side) of a map a lake or river has to do with: those with cells whose height it read or changed, or
+/// that its outline covers. What happens to the ground elsewhere does not concern it.
+using TouchedTiles = TileSet;
 
-/// Carves the beds of rivers; through lakes they keep to the water's surface.
-void carve_rivers(Terrain& terrain, std::span<const DrawnRiver> rivers, std::span<const LakeBasin> lakes);
+/// Digs a lake and appends it to those dug before it, where it has a place and holds water.
+void dig_lake(Terrain& terrain, const DrawnLake& drawn, std::vector<LakeBasin>& lakes, TouchedTiles& touched);
+
+/// Carves the beds of rivers, one after the other; through lakes they keep to the water's surface.
+void carve_rivers(Terrain& terrain, std::span<const DrawnRiver* const> rivers, std::span<const LakeBasin> lakes,
+                  std::span<TouchedTiles> touched);
 
 /// A cell and the height it is cut down to, if it is higher.
 struct CutCell {
@@ -41,6 +47,7 @@ struct CutCell {
 
 /// Cuts cells down and gives the cuts banks that rise at most 1 : 1 to where they meet the ground. Banks cut nothing of lakes
 /// below their surface.
-void cut_with_banks(Grid<float>& height, double cell_size, std::span<const CutCell> cells, std::span<const LakeBasin> lakes);
+void cut_with_banks(Grid<float>& height, double cell_size, std::span<const CutCell> cells, std::span<const LakeBasin> lakes,
+                    TouchedTiles& touched);
 
 }  // namespace biotope

@@ -123,6 +123,17 @@ RiverPlan plan_river(const Terrain& terrain, const DrawnRiver& river) {
   return plan;
 }
 
+/// The cells that the plan was made from: those of bed and banks, and the four around each point of the course.
+void note_touched(const RiverPlan& plan, TouchedTiles& touched) {
+  for (const CourseSample& sample : plan.course) {
+    const int x = int(std::floor(sample.at.x));
+    const int y = int(std::floor(sample.at.y));
+    touched.insert(Rect{x, y, x + 2, y + 2});
+  }
+  if (plan.course.size() < 2) return;
+  each_cell(plan, [&](int x, int y, const CourseCell&) { touched.insert(Rect{x, y, x + 1, y + 1}); });
+}
+
 const LakeBasin* lake_at(std::span<const LakeBasin> lakes, PathPoint point) {
   for (const LakeBasin& lake : lakes) {
     if (lake.part(cell_of(point.x), cell_of(point.y)) != LakeBasin::outside) return &lake;
@@ -178,23 +189,28 @@ std::vector<CutCell> cut_cells(const RiverPlan& plan, const Grid<float>& height,
 
 }  // namespace
 
-void carve_rivers(Terrain& terrain, std::span<const DrawnRiver> rivers, std::span<const LakeBasin> lakes) {
+void carve_rivers(Terrain& terrain, std::span<const DrawnRiver* const> rivers, std::span<const LakeBasin> lakes,
+                  std::span<TouchedTiles> touched) {
   std::vector<RiverPlan> plans;
-  for (const DrawnRiver& river : rivers) plans.push_back(plan_river(terrain, river));
+  for (const DrawnRiver* river : rivers) {
+    plans.push_back(plan_river(terrain, *river));
+    note_touched(plans.back(), touched[plans.size() - 1]);
+  }
   BedMap beds(terrain.height.width(), terrain.height.height(), no_bed);
-  for (RiverPlan& plan : plans) {
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    RiverPlan& plan = plans[i];
     if (plan.course.size() < 2) continue;
     lay_beds(plan, terrain.cell_size, lakes, beds);
     const std::vector<CutCell> cells = cut_cells(plan, terrain.height, lakes);
     for (const CutCell& cell : cells) {
       beds.set(int(cell.cell % std::size_t(beds.width())), int(cell.cell / std::size_t(beds.width())), cell.level);
     }
-    cut_with_banks(terrain.height, terrain.cell_size, cells, lakes);
+    cut_with_banks(terrain.height, terrain.cell_size, cells, lakes, touched[i]);
     const CourseSample& end = plan.course.back();
     if (lake_at(lakes, end.at) != nullptr) continue;
     const std::vector<CutCell> outlet =
-        lead_out(terrain, {cell_of(end.at.x), cell_of(end.at.y), end.bed, end.ground, plan.half_width}, cells, lakes);
-    cut_with_banks(terrain.height, terrain.cell_size, outlet, lakes);
+        lead_out(terrain, {cell_of(end.at.x), cell_of(end.at.y), end.bed, end.ground, plan.half_width}, cells, lakes, touched[i]);
+    cut_with_banks(terrain.height, terrain.cell_size, outlet, lakes, touched[i]);
   }
 }
 

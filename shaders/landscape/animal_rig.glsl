@@ -193,7 +193,7 @@ void main() {
 #ifdef SHADOW_CASTER
   vec3 seen = in_light(offset);
   vec4 square = shadows.cascades[cascade];
-  gl_Position = vec4((seen.xy - square.xy) / square.z, (shadows.up.w - seen.z) * shadows.right.w, 1.0);
+  gl_Position = vec4((seen.xy - square.xy) / square.z, (shadows.depths[cascade] - seen.z) * shadows.right.w, 1.0);
 #else
   gl_Position = frame.view_projection * vec4(offset, 1.0);
 #endif

@@ -10,7 +10,7 @@ vec3 own_leaf(int plant, float tint) {
   float turn = kinds.turned[plant].w;
   float early = fract(tint * 7.31) - 0.5;
   float own = clamp(turn + early * 0.9 * min(1.0, 6.0 * turn * (1.0 - turn)), 0.0, 1.0);
-  vec3 shade = 1.0 + (fract(tint * 23.7) - 0.5) * vec3(0.35, -0.2, -0.2) * turn;
+  vec3 shade = 1.0 + (fract(tint * 23.7) - 0.5) * vec3(0.30, -0.42, -0.35) * turn;
   return mix(kinds.fresh[plant].rgb, kinds.turned[plant].rgb * shade, own);
 }
 

@@ -6,14 +6,14 @@
 #ifdef WITH_SHADOWS
 #include "landscape/shadow_view.glsl"
 #include "landscape/shadow.glsl"
+in vec3 light;
 in vec3 direct;
 in vec4 in_shadow;
 flat in float nearer;
 #endif
 layout(binding = 8) uniform sampler2DArray leaves;
 in vec3 card;
-in vec3 light;
-in vec3 leaf_tone;
+in vec3 leaf_tone;  // without shadows: of what is lit already
 in vec3 wood_tone;
 in vec4 veil;
 flat in vec2 shown;
@@ -24,10 +24,11 @@ void main() {
   vec4 leaf = texture(leaves, card, -0.5);
   float threshold = dither();
   if (leaf.a < 0.5 || threshold < shown.x || threshold >= shown.y) discard;
-  vec3 all_light = light;
 #ifdef WITH_SHADOWS
   // Leaves pass light on to each other.
-  all_light += direct * mix(1.0, light_past_plants(in_shadow.xyz, nearer, in_shadow.w, threshold), mix(1.0 - 0.32 * smoothstep(0.4, 1.2, nearer), 1.0, leaf.b));
+  vec3 all_light = light + direct * mix(1.0, light_past_plants(in_shadow.xyz, nearer, in_shadow.w, threshold), mix(1.0 - 0.32 * smoothstep(0.4, 1.2, nearer), 1.0, leaf.b));
+#else
+  const float all_light = 1.0;
 #endif
   vec3 lit = mix(leaf_tone * yellowed_leaf(leaf.g), wood_tone, leaf.b) * all_light * (2.0 * leaf.r);
   colour = vec4(to_screen(mix(lit, veil.rgb, veil.a)), 1.0);

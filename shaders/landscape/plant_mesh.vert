@@ -21,11 +21,11 @@ uniform vec3 wood_colour;
 uniform vec3 high_wood_colour;
 uniform vec2 level;  // height on the screen in pixels from which a finer mesh is drawn, and from which this one is
 out vec3 card;
-out vec3 light;
 out vec3 leaf_tone;
 out vec3 wood_tone;
 out vec4 veil;
 #ifdef WITH_SHADOWS
+out vec3 light;
 out vec3 direct;     // what of the light the sun sends
 out vec4 in_shadow;  // relative to the eye; w: share of the sun that is thought to come here
 flat out float nearer;
@@ -65,7 +65,7 @@ void main() {
   // A crown's own shade is painted on its leaves.
   nearer = material.w > 0.5 ? 0.6 * kinds.form[plant].x * stands.w : 0.35;
 #else
-  light = foliage_light(upward, normalize(offset), open, sun * past_crowns);
+  vec3 light = foliage_light(upward, normalize(offset), open, sun * past_crowns);
 #endif
   // Every card a little lighter or darker than its neighbours.
   float card_tone = 0.84 + 0.32 * fract(material.z * 7.77);
@@ -78,6 +78,10 @@ void main() {
   card = vec3(card_uv, material.x);
   if (bare) card.z = 8.0;
   if (material.w > 0.5) wood_tone = min(wood_tone, vec3(0.095, 0.083, 0.075));
+#ifndef WITH_SHADOWS
+  leaf_tone *= light;
+  wood_tone *= light;
+#endif
   // Twigs are thinner than the dots that show them: what is behind them shines through, the more the farther they are.
   float thin = bare && material.w > 0.5 ? smoothstep(4.0, 45.0, length(foot)) : 0.0;
   veil = vec4(haze_colour(offset), mix(haze(offset), 1.0, 0.05 * thin));

@@ -82,7 +82,8 @@ void main() {
   // Cards have their own shades from root to tip, blades only those of the vertex.
   float shade = material.x > 0.5 ? 0.86 + 0.46 * up : 0.20 + 1.06 * material.y;
   tone = leaf * light * mix(shade, 1.0, 0.45 * far);
-  flower_tone = 0.86 * flower_colour * light;
+  // Flowers that are smaller than a pixel leave only a part of their colour: they would sparkle.
+  flower_tone = mix(0.86 * flower_colour, leaf, 0.62 * smoothstep(9.0, 38.0, distance_to)) * light;
   card = vec3(card_uv, material.x);
   veil = vec4(haze_colour(offset), haze(offset));
   gl_Position = shown.x < shown.y ? frame.view_projection * vec4(offset, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);

@@ -1,4 +1,7 @@
 // How the wind moves plants: a function of place and of frame.wind alone, nothing in a calm. Needs frame.glsl.
+#ifndef WIND_SECONDS
+#define WIND_SECONDS frame.wind.z
+#endif
 
 // Strength of the wind at a place, m/s: gusts travel with it.
 float gust(vec2 place) {
@@ -6,7 +9,7 @@ float gust(vec2 place) {
   vec2 way = frame.wind.xy / max(speed, 1e-3);
   float along = dot(place, way);
   float across = dot(place, vec2(-way.y, way.x));
-  float t = frame.wind.z;
+  float t = WIND_SECONDS;
   float wave = sin(along * 0.11 - t * (0.5 + 0.11 * speed) + 1.3 * sin(across * 0.045)) * 0.32 +
                sin(along * 0.37 - t * (1.1 + 0.3 * speed) + 2.1 * sin(across * 0.13 + 0.7)) * 0.18;
   return speed * (0.62 + wave);
@@ -17,7 +20,7 @@ float gust(vec2 place) {
 vec3 sway(vec3 at, float height, vec2 place, float loose, float phase, float own) {
   float strength = gust(place);
   vec2 way = frame.wind.xy / max(length(frame.wind.xy), 1e-3);
-  float t = frame.wind.z;
+  float t = WIND_SECONDS;
   float beat = 6.2 / sqrt(max(height, 0.5));
   float up = clamp(at.z / height, 0.0, 1.2);
   float swing = strength * (1.0 + 0.45 * sin(t * beat + own * 40.0)) * 0.0016 * height * up * up;

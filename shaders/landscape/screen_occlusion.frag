@@ -4,12 +4,14 @@
 #include "landscape/frame.glsl"
 #include "landscape/screen_depth.glsl"
 #include "landscape/plant_dither.glsl"
+uniform vec4 within;  // lower left pixel of what is drawn, and size of the whole picture
+uniform float most;  // pixels that are looked around at most
 out vec4 shade;
 
 vec3 place_at(ivec2 pixel, vec2 size) {
   float away = metres(texelFetch(depths, clamp(pixel, ivec2(0), ivec2(size) - 1), 0).r);
   // Pixels per radian tell how wide a metre is.
-  return vec3((vec2(pixel) + 0.5 - 0.5 * size) / frame.eye.w, 1.0) * away;
+  return vec3((vec2(pixel) + 0.5 + within.xy - 0.5 * within.zw) / frame.eye.w, 1.0) * away;
 }
 
 void main() {
@@ -25,7 +27,7 @@ void main() {
   vec3 upward = abs(below.z) < abs(above.z) ? below : above;
   vec3 normal = normalize(cross(upward, across));
   float radius = 0.45 + 0.012 * here.z;
-  float reach = clamp(radius / here.z * frame.eye.w, 3.0, 90.0);
+  float reach = clamp(radius / here.z * frame.eye.w, 3.0, most);
   float turn = 6.2832 * dither();
   float sum = 0.0;
   const int samples = 14;

@@ -5,6 +5,14 @@ layout(binding = 7) uniform sampler2D canopy_shade;
 // Metres that a shadow moves to the side per metre of height, toward the light; the same as in plant_shade.vert.
 vec2 toward_light_on_ground() { return frame.light_direction.xy / max(frame.light_direction.z, 0.14); }
 
+// Share of direct light that crowns of some cover take from the ground on the mean: more the more aslant the light comes (as in
+// crowns_seen() of plant_canopy.glsl).
+float shade_of_cover(float cover) {
+  float sine = max(frame.light_direction.z, 0.14);
+  float hidden = 1.0 - pow(1.0 - min(cover, 0.98), sqrt(1.0 + 1.45 * (1.0 / (sine * sine) - 1.0)));
+  return 0.9 * frame.shade_area.w * hidden;
+}
+
 // Share of direct light that crowns take from the ground at a place; y: 1 where that is known, 0 far from the eye.
 vec2 drawn_shade(vec2 place) {
   vec2 at = (place - frame.shade_area.xy) / max(frame.shade_area.z, 1.0);

@@ -16,7 +16,7 @@ float light_past_plants(vec3 offset, float nearer, float beyond, float threshold
   vec4 square = shadows.cascades[cascade];
   vec2 uv = (at.xy - square.xy) / square.z * 0.5 + 0.5;
   float step = 0.5 * square.w / square.z;
-  float depth = 0.5 - 0.5 * (at.z + nearer + 2.0 * square.w - shadows.up.w) * shadows.right.w;
+  float depth = 0.5 - 0.5 * (at.z + nearer + 2.0 * square.w - shadows.depths[cascade]) * shadows.right.w;
   float lit = 0.0;
   for (int y = -1; y <= 1; ++y) {
     for (int x = -1; x <= 1; ++x) lit += texture(shadow_depths, vec4(uv + vec2(x, y) * step, float(cascade), depth));

@@ -6,7 +6,9 @@
 #include "landscape/shadow_view.glsl"
 layout(location = 4) in vec4 stands;
 layout(location = 5) in vec4 own;
-uniform int cascade;
+uniform vec3 origin;  // place of the land, m
+uniform vec4 square;  // from there: middle, half side, depth of the middle
+const float texels = 2048.0;
 const float elevations[3] = float[](0.17453, 0.78540, 1.30900);
 out vec3 picture;
 
@@ -15,7 +17,8 @@ void main() {
   float radius = kinds.form[plant].x * stands.w;
   vec3 stand = own_stand(own.y);
   float height = kinds.form[plant].y * stands.w * stand.z;
-  if (radius <= 0.0) {
+  // What is smaller than a texel is not seen.
+  if (radius * texels <= square.z) {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
     return;
   }
@@ -31,10 +34,9 @@ void main() {
   float top_seen = foot_seen + radius * sin(elevation);
   float up = (corner.y * top_pictured + foot_pictured) * (top_seen + foot_seen) / (top_pictured + foot_pictured) - foot_seen;
   vec3 lean = vec3(stand.xy * (0.5 + 0.5 * corner.y) * height, 0.0);
-  vec3 seen = in_light(stands.xyz - frame.eye.xyz + vec3(0.0, 0.0, 0.5 * height) + lean);
+  vec3 seen = in_light(stands.xyz - origin + vec3(0.0, 0.0, 0.5 * height) + lean);
   // Along the light it lies where the stem is.
   vec3 at = seen + vec3(corner.x * radius, up, corner.y * 0.5 * height * toward.z);
   picture = vec3(vec2(corner.x * (own.x > 3.14159 ? -1.0 : 1.0), corner.y) * 0.5 + 0.5, float((plant * 2 + own_model(own.y)) * 3 + view));
-  vec4 square = shadows.cascades[cascade];
-  gl_Position = vec4((at.xy - square.xy) / square.z, (shadows.up.w - at.z) * shadows.right.w, 1.0);
+  gl_Position = vec4((at.xy - square.xy) / square.z, (square.w - at.z) * shadows.right.w, 1.0);
 }

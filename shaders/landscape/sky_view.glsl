@@ -99,6 +99,6 @@ void main() {
   float air = frame.fog.x * exp(-above_base) / (frame.fog.y * max(toward.z, 0.02));
   light = mix(light, haze_colour(toward), 1.0 - exp(-air * frame.weather.z));
   // Half a step of the screen's colours up or down (Jimenez' gradient noise, 2014): wide gradients show no bands.
-  float dither = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) - 0.5;
+  float dither = fract(52.9829189 * fract(dot(gl_FragCoord.xy + vec2(frame.horizon.w, frame.zenith.w), vec2(0.06711056, 0.00583715)))) - 0.5;
   colour = vec4(to_screen(light) + dither / 255.0, 1.0);
 }

@@ -12,14 +12,20 @@ layout(binding = 5) uniform sampler2D lines;        // red: distance to the shor
 layout(binding = 6) uniform sampler2D sunlit;
 uniform vec4 canopy_range;  // metres from which the canopy is painted on the ground, and where wholly; z: strength
 uniform vec4 show;          // water, trails
-uniform vec4 brush;         // x, y, radius in metres; w: 1 when there is one
 in vec3 offset;
 in vec2 place;
 in vec4 veil;        // colour of the haze before it, and its share
 in float clear_sky;  // share of direct light that clouds let through
+#ifdef WITH_LESS
+// What changes slowly from place to place comes from the vertices.
+in vec2 on_map;         // where the place is on the ground's textures
+in vec3 early;          // broad noise, cover of crowns toward the light, and how much of the light these take
+flat in vec4 reflected; // of a place beyond the border: signs of its slopes, and how they are sheared
+#endif
 out vec4 colour;
 
-const float shore_reach = 8.0;
+#include "landscape/shore.glsl"
+#include "landscape/brush_ring.glsl"
 
 vec3 ambient(vec3 normal, float open) {
   return mix(frame.ambient_ground.rgb, frame.ambient_sky.rgb, 0.5 + 0.5 * normal.z) * open;
@@ -34,10 +40,11 @@ float painted_share(float to_eye) {
 // Share of direct light that crowns let through to the ground, and (y) of the sky's. `cover`: share of ground under crowns around.
 vec2 light_under_crowns(float cover, float painted) {
   vec2 drawn = drawn_shade(place);
-  // Far from the eye: as the cover says, on the mean, and more the more aslant the light comes (as in crowns_seen()).
-  float sine = max(frame.light_direction.z, 0.14);
-  float hidden = 1.0 - pow(1.0 - min(cover, 0.98), sqrt(1.0 + 1.45 * (1.0 / (sine * sine) - 1.0)));
-  float around = 0.9 * frame.shade_area.w * hidden * (1.0 - 0.4 * painted);
+#ifdef WITH_LESS
+  float around = early.z * (1.0 - 0.4 * painted);
+#else
+  float around = shade_of_cover(cover) * (1.0 - 0.4 * painted);
+#endif
   drawn *= 1.0 - painted;
   float shade = around * (1.0 - drawn.y) + drawn.x;
   float sky = 1.0 - 0.45 * cover * cover * (1.0 - painted);
@@ -47,9 +54,17 @@ vec2 light_under_crowns(float cover, float painted) {
 void main() {
   float to_eye = length(offset);
   float height = frame.eye.z + offset.z;
+#ifdef WITH_LESS
+  vec2 uv = on_map;
+  vec4 coded_normal = texture(normals, uv);
+  vec3 unit_normal = coded_normal.xyz * 255.0 / 127.0 - 128.0 / 127.0;
+  unit_normal.xy *= reflected.xy;
+  vec3 ground_normal = normalize(unit_normal + vec3(reflected.zw * unit_normal.yx, 0.0));
+#else
   vec2 uv = ground_uv(ground_source(place));
   vec4 coded_normal = texture(normals, uv);
   vec3 ground_normal = ground_normal_at(coded_normal.xyz * 255.0 / 127.0 - 128.0 / 127.0, place);
+#endif
   vec3 normal = ground_normal;
 
   vec4 ground = texture(ground_colours, uv);
@@ -57,7 +72,11 @@ void main() {
   float rock = ground.a;
   vec4 fine = texture(detail, place * 0.37, -1.3);
   vec4 middle = texture(detail, place * 0.043 + 0.13, -0.7);
+#ifdef WITH_LESS
+  float broad = early.x;
+#else
   float broad = texture(detail, place * 0.0067).a;
+#endif
   // From far above, what repeats must not be seen to repeat.
   float close = exp(-to_eye * 0.0006);
   float grain = (fine.b - 0.5) * 0.55 + ((middle.b - 0.5) * 0.42 + (middle.a - 0.5) * 0.35 + (broad - 0.5) * 0.35) * close;
@@ -69,7 +88,12 @@ void main() {
   albedo *= 1.0 + grain;
   albedo *= mix(vec3(1.0), mix(vec3(1.10, 1.0, 0.80), vec3(0.88, 1.03, 0.98), middle.a), 0.6 * (1.0 - rock));
   // Beds of rock show as bands of height.
+#ifdef WITH_LESS
+  float bent = height + 5.0 * middle.a;
+  float bands = 0.5 + 0.22 * sin(0.55 * bent) + 0.16 * sin(1.7 * bent);
+#else
   float bands = texture(detail, vec2(0.37 + (place.x + place.y) * 0.0011, height * 0.021)).a;
+#endif
   albedo *= 1.0 + rock * (bands - 0.5) * 0.8;
   vec2 bumps = (fine.rg - 0.502) * 0.55 * exp(-to_eye * 0.02) + (middle.rg - 0.502) * (0.45 + 0.75 * rock);
   if (with_detail) {
@@ -142,12 +166,20 @@ void main() {
   albedo *= 1.0 - 0.42 * wet_ground * (1.0 - 0.6 * crowns);
 
   // Crowns that stand toward the light.
+#ifdef WITH_LESS
+  float shading = early.y;
+#else
   float shading = texture(canopy_colours, ground_uv(ground_source(place + 8.0 * toward_light_on_ground())), 1.5).a;
+#endif
   vec2 under_crowns = light_under_crowns(shading * canopy_range.z, with_canopy ? painted_share(to_eye) : 0.0);
 #ifdef WITH_SHADOWS
   under_crowns.x = light_past_plants(offset, 0.0, under_crowns.x, dither());
 #endif
+#ifdef WITH_LESS
+  float light_share = under_crowns.x * clear_sky;
+#else
   float light_share = texture(sunlit, uv).r * under_crowns.x * clear_sky;
+#endif
   open *= under_crowns.y;
   float toward_light = max(dot(normal, frame.light_direction.xyz), 0.0);
   if (with_canopy) toward_light = mix(toward_light, crown_light(offset, to_eye, max(dot(ground_normal, frame.light_direction.xyz), 0.0)), crowns);
@@ -166,44 +198,36 @@ void main() {
   }
 
   if (with_water) {
-    // Water: as wide as it is, but never narrower than a good part of a pixel, so that a river stays one line from afar.
     float pixel = to_eye / frame.eye.w;
     float inside = (line.r * 255.0 - 128.0) * (shore_reach / 127.0);
-    float grazing = max(-offset.z / to_eye, 0.12);
-    float soft = max(pixel * 0.6, 0.10);
-    float shore = inside + 0.55 * (fine.b - 0.5) * exp(-to_eye * 0.02) + 0.9 * (middle.b - 0.5) * exp(-to_eye * 0.005);
-    float wet = smoothstep(-soft, soft, shore + min(0.28 * pixel / grazing, 2.2)) * show.x;
     // Banks: gravel that floods left here and there, then a damp margin before the water.
     vec3 gravel = mix(vec3(0.085, 0.078, 0.062), vec3(0.235, 0.222, 0.190), fine.b * (0.4 + fine.a));
     float bared = smoothstep(-2.6, -0.2, inside + 3.4 * (middle.a - 0.56) + 1.2 * (fine.b - 0.5)) * show.x * (1.0 - 0.8 * snow);
     float damp = smoothstep(-1.5, -0.1, inside + 0.8 * (fine.b - 0.5)) * show.x;
     lit = mix(lit, gravel * light, bared * 0.85 * (1.0 - smoothstep(200.0, 900.0, to_eye) * 0.5));
     lit *= 1.0 - 0.45 * damp;
+#ifndef WITH_LESS
+    float wet = wet_share(inside, fine, middle, to_eye, pixel);
     if (wet > 0.0) {
-      vec4 trees = vec4(0.030, 0.042, 0.020, 0.30);
-      if (with_detail) trees = vec4(canopy.rgb * canopy.rgb * 0.75, min(1.0, canopy.a * 1.8));
-      vec3 bed = mix(vec3(0.075, 0.068, 0.042), vec3(0.215, 0.195, 0.140), clamp(0.25 * middle.b + 0.35 * middle.a + 0.5 * fine.b - 0.05, 0.0, 1.0));
-      lit = mix(lit, water_colour(offset, place, uv, bed, max(inside, 0.0), light_share, trees, to_eye), wet);
-      if (with_detail) {
-        vec4 stone = stone_seen(place, offset / to_eye, riffle_at(uv) * exp(-to_eye * 0.008), pixel);
-        vec3 grey = vec3(0.105, 0.100, 0.088) * (0.35 + 0.9 * fine.b + 0.4 * middle.a) * (0.30 + 0.80 * clamp(stone.z, 0.0, 1.0));
-        vec3 shone = frame.light_colour.rgb * max(dot(stone.xyz, frame.light_direction.xyz), 0.0) * light_share;
-        lit = mix(lit, grey * (shone + ambient(stone.xyz, open)), stone.w * wet);
-      }
+      vec4 trees = vec4(canopy.rgb * canopy.rgb * 0.75, min(1.0, canopy.a * 1.8));
+      lit = mix(lit, water_colour(offset, place, uv, bed_colour(fine, middle), max(inside, 0.0), light_share, trees, to_eye), wet);
+      vec4 stone = stone_seen(place, offset / to_eye, riffle_at(uv) * exp(-to_eye * 0.008), pixel);
+      vec3 grey = stone_colour(fine, middle) * (0.30 + 0.80 * clamp(stone.z, 0.0, 1.0));
+      vec3 shone = frame.light_colour.rgb * max(dot(stone.xyz, frame.light_direction.xyz), 0.0) * light_share;
+      lit = mix(lit, grey * (shone + ambient(stone.xyz, open)), stone.w * wet);
     }
+#endif
   }
 
-  if (brush.w > 0.0) {
-    float ring = abs(distance(place, brush.xy) - brush.z);
-    float width = max(0.004 * to_eye, 0.3);
-    lit = mix(lit, vec3(0.21, 0.43, 0.14) * 1.8, smoothstep(width, 0.4 * width, ring) * 0.9);
-    lit = mix(lit, vec3(0.21, 0.43, 0.14), 0.12 * step(distance(place, brush.xy), brush.z));
-  }
-
+  lit = with_brush(lit, place, to_eye);
+#ifdef WITH_LESS
+  colour = vec4(to_screen(mix(lit, veil.rgb, veil.a)), 1.0);
+#else
   // Land beyond the border is only scenery: it fades into the haze.
   vec2 beyond = max(max(-place, place - frame.terrain.xy), vec2(0.0)) / frame.terrain.xy;
   float outside = max(beyond.x, beyond.y);
   lit = mix(lit, vec3(dot(lit, vec3(0.3, 0.5, 0.2))), smoothstep(0.0, 0.15, outside) * 0.25);
   float haziness = max(veil.a, smoothstep(0.0, 0.85, outside));
   colour = vec4(to_screen(mix(lit, veil.rgb, haziness)), 1.0);
+#endif
 }

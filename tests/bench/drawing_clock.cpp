@@ -50,6 +50,9 @@ DrawingClock::DrawingClock() {
   Between<&epoxy_glBlitNamedFramebuffer>::enter("glBlitNamedFramebuffer");
   Between<&epoxy_glGenerateTextureMipmap>::enter("glGenerateTextureMipmap");
   Between<&epoxy_glFinish>::enter("glFinish");
+  Between<&epoxy_glTextureStorage2D>::enter("glTextureStorage2D");
+  Between<&epoxy_glTextureStorage3D>::enter("glTextureStorage3D");
+  Between<&epoxy_glDeleteTextures>::enter("glDeleteTextures");
 }
 
 DrawingClock::~DrawingClock() {
@@ -65,6 +68,9 @@ DrawingClock::~DrawingClock() {
   Between<&epoxy_glBlitNamedFramebuffer>::leave();
   Between<&epoxy_glGenerateTextureMipmap>::leave();
   Between<&epoxy_glFinish>::leave();
+  Between<&epoxy_glTextureStorage2D>::leave();
+  Between<&epoxy_glTextureStorage3D>::leave();
+  Between<&epoxy_glDeleteTextures>::leave();
 }
 
 DrawingClock::Part::Part() : begin_(read_clock(CLOCK_MONOTONIC)), ran_(read_clock(CLOCK_THREAD_CPUTIME_ID)) {}

@@ -5,7 +5,8 @@
 namespace biotope {
 
 /// Counts the time that goes into OpenGL's drawing commands, so that the rest of a frame can be told from it: on a machine
-/// without a graphics card the processor draws too. One at a time may live; it puts itself between the program and OpenGL.
+/// without a graphics card the processor draws too, and makes and frees the memory of textures. One at a time may live; it puts
+/// itself between the program and OpenGL.
 class DrawingClock {
  public:
   DrawingClock();

@@ -17,7 +17,7 @@ void perform(Document& document, const Edit& edit, const EditGrounds& grounds) {
   auto command = make_command(document, edit, grounds);
   REQUIRE(command);
   REQUIRE(*command);
-  CHECK((*command)->name() == edit_name(edit));
+  CHECK((*command)->name() == edit_name(edit, document));
   (*command)->apply(document);
 }
 
@@ -278,7 +278,7 @@ TEST_CASE("An edit that cannot be done says why, and leaves the document as it i
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const auto fails = [&](const Edit& edit, const std::string& word) {
     const auto command = make_command(document, edit, grounds);
-    INFO(edit_name(edit));
+    INFO(edit_name(edit, document));
     REQUIRE_FALSE(command);
     CHECK(command.error().message.find(word) != std::string::npos);
   };

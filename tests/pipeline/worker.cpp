@@ -1,6 +1,8 @@
 #include "core/pipeline/worker.hpp"
 
 #include <catch2/catch.hpp>
+#include <chrono>
+#include <thread>
 
 #include "core/pipeline/solve.hpp"
 #include "tests/pipeline/random_edits.hpp"
@@ -80,6 +82,18 @@ TEST_CASE("A failure is a status on the last good maps") {
   REQUIRE(worker.latest());
   CHECK_FALSE(worker.latest()->status);
   CHECK(worker.latest()->cover.size() == worker.latest_complete()->cover.size());
+}
+
+TEST_CASE("What is retired is kept while anybody holds it, and then freed") {
+  Worker worker;
+  auto held = std::make_shared<const MapsSnapshot>();
+  const std::weak_ptr<const MapsSnapshot> seen = held;
+  worker.retire(held);
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  CHECK_FALSE(seen.expired());
+  held.reset();
+  for (int i = 0; i < 1000 && !seen.expired(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  CHECK(seen.expired());
 }
 
 TEST_CASE("A worker may be destroyed in the middle of a run") {

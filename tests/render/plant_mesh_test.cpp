@@ -108,11 +108,28 @@ TEST_CASE("leaf pictures have holes, all but barks") {
   }
 }
 
+TEST_CASE("cards are cut to what their pictures show") {
+  const auto pictures = leaf_pictures();
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const CardBox box = card_box(LeafPicture(i));
+    int outside = 0;
+    for (int y = 0; y < leaf_picture_side; ++y) {
+      for (int x = 0; x < leaf_picture_side; ++x) {
+        if (pictures[i](x, y)[3] < 128) continue;
+        const glm::vec2 at = (glm::vec2(x, y) + 0.5F) / float(leaf_picture_side);
+        outside += at.x < box.low.x || at.y < box.low.y || at.x > box.high.x || at.y > box.high.y ? 1 : 0;
+      }
+    }
+    INFO("picture " << i);
+    CHECK(outside == 0);
+  }
+}
+
 TEST_CASE("foliage does not thin out with distance") {
   const auto pictures = leaf_pictures();
   for (const LeafPicture which : {LeafPicture::broad, LeafPicture::small, LeafPicture::needles, LeafPicture::bough,
                                   LeafPicture::blades, LeafPicture::oak_spray, LeafPicture::pine_spray, LeafPicture::frond}) {
-    const auto levels = leaf_mipmaps(pictures[std::size_t(which)]);
+    const auto levels = leaf_mipmaps(which, pictures[std::size_t(which)]);
     REQUIRE(levels.back().width() == 4);
     const auto passing = [](const Grid<Rgba>& level) {
       double count = 0;
@@ -124,6 +141,34 @@ TEST_CASE("foliage does not thin out with distance") {
       // The first levels have only a few different values to choose from.
       CHECK(passing(levels[level]) == Approx(passing(levels[0])).margin(level < 3 ? 0.1 : 0.05));
     }
+  }
+}
+
+TEST_CASE("bare twigs stay lines from afar: neither dots nor a hedge") {
+  const auto pictures = leaf_pictures();
+  const auto levels = leaf_mipmaps(LeafPicture::twigs, pictures[std::size_t(LeafPicture::twigs)]);
+  REQUIRE(levels.back().width() == 4);
+  for (std::size_t level = 0; level + 2 < levels.size(); ++level) {
+    const Grid<Rgba>& picture = levels[level];
+    double covered = 0;
+    double alone = 0;
+    for (int y = 0; y < picture.height(); ++y) {
+      for (int x = 0; x < picture.width(); ++x) {
+        if (picture(x, y)[3] < 128) continue;
+        ++covered;
+        int beside = 0;
+        for (int i = 0; i < 9; ++i) {
+          const int cx = std::clamp(x + i % 3 - 1, 0, picture.width() - 1);
+          const int cy = std::clamp(y + i / 3 - 1, 0, picture.height() - 1);
+          beside += i != 4 && picture(cx, cy)[3] >= 128 ? 1 : 0;
+        }
+        alone += beside == 0 ? 1 : 0;
+      }
+    }
+    INFO("level " << level << " covers " << covered / double(picture.size()));
+    CHECK(covered > 0.03 * double(picture.size()));
+    CHECK(covered < 0.30 * double(picture.size()));
+    CHECK(alone < 0.05 * covered);
   }
 }
 

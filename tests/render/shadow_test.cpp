@@ -211,3 +211,101 @@ TEST_CASE("The floor of a wood lies in the shade of its crowns, at every quality
   };
   CHECK(floor_light(400) < 0.72 * floor_light(60));
 }
+
+TEST_CASE("A square stays the same while the eye is within a cell of the land, and the light hardly moves") {
+  Camera camera;
+  camera.position = {1234.5, 987.25, 110};
+  const glm::vec3 light = glm::normalize(glm::vec3(0.4F, -0.6F, 0.5F));
+  int moves = 0;
+  ShadowView before = shadow_view(camera, 2, light, 1);
+  for (int step = 0; step < 100; ++step) {
+    camera.position += glm::dvec3(0.1, 0.05, 0.01);
+    const ShadowView after = shadow_view(camera, 2, light + glm::vec3(1e-6F * float(step)), 1);
+    REQUIRE(after.toward == before.toward);
+    for (std::size_t i = 0; i < shadow_cascades; ++i) {
+      const bool same = after.cascades[i].origin == before.cascades[i].origin;
+      moves += same ? 0 : 1;
+      if (same) CHECK(after.cascades[i].from_origin == before.cascades[i].from_origin);
+      // It is where it was on the land, and holds what lies ahead.
+      const glm::vec2 from_eye = glm::vec2(after.cascades[i].from_origin) +
+                                 glm::vec2(glm::dot(after.right, after.cascades[i].origin - glm::vec3(camera.position)),
+                                           glm::dot(after.up, after.cascades[i].origin - glm::vec3(camera.position)));
+      CHECK(glm::distance(from_eye, after.cascades[i].centre) < 1e-3F);
+      CHECK(casts_into(after, int(i), glm::vec3(0, 0, -2), 0));
+    }
+    before = after;
+  }
+  // 11 m, through cells of 8.5, 35 and 140 m, along three axes.
+  CHECK(moves > 0);
+  CHECK(moves < 9);
+}
+
+namespace {
+
+/// Whether a renderer that has drawn other pictures before draws the same one as a new renderer.
+bool as_if_new(ShadowStudio& studio, const std::shared_ptr<MapsSnapshot>& snapshot) {
+  const Image kept = studio.draw();
+  auto made = LandscapeRenderer::create();
+  REQUIRE(made);
+  std::swap(studio.renderer, *made);
+  studio.renderer->set_snapshot(snapshot);
+  const Image anew = studio.draw();
+  std::swap(studio.renderer, *made);
+  return different(kept, anew, 0) == 0;
+}
+
+}  // namespace
+
+TEST_CASE("Shadows that are kept are those that would be drawn afresh") {
+  ShadowStudio studio;
+  if (!studio.make(2)) return;
+  auto snapshot = level_landscape();
+  cover(*snapshot, 0, 0.3F);
+  cover(*snapshot, 2, 0.1F);
+  studio.renderer->set_snapshot(snapshot);
+  studio.camera.position = {200, 150, 101.7};
+  studio.camera.pitch = -6;
+  for (int step = 0; step < 24; ++step) {
+    studio.camera.position += glm::dvec3(0.4, 0.9, 0);
+    studio.camera.heading += 1.5F;
+    (void)studio.draw();
+  }
+  CHECK(as_if_new(studio, snapshot));
+  studio.options.seconds = 1.3;
+  CHECK(as_if_new(studio, snapshot));
+  studio.options.weather.wind = 12;
+  CHECK(as_if_new(studio, snapshot));
+  studio.options.hour = 9.2;
+  CHECK(as_if_new(studio, snapshot));
+  studio.options.month = 0;
+  CHECK(as_if_new(studio, snapshot));
+  studio.options.visible_species = {false};
+  CHECK(as_if_new(studio, snapshot));
+  auto edited = std::make_shared<MapsSnapshot>(*snapshot);
+  cover(*edited, 2, {0, 0, cells, 70}, 0);
+  studio.renderer->set_snapshot(edited);
+  CHECK(as_if_new(studio, edited));
+}
+
+TEST_CASE("While one walks shadows are drawn again only now and then, and at rest not at all") {
+  ShadowStudio studio;
+  if (!studio.make(2)) return;
+  auto snapshot = level_landscape();
+  cover(*snapshot, 0, 0.3F);
+  studio.renderer->set_snapshot(snapshot);
+  studio.camera.position = {200, 150, 101.7};
+  studio.options.weather.wind = 0;
+  const auto calls = [&](bool shadows) {
+    studio.options.shadows = shadows;
+    (void)studio.draw();
+    return studio.renderer->statistics().draw_calls;
+  };
+  CHECK(calls(true) > calls(false));
+  CHECK(calls(true) == calls(false));
+  int again = 0;
+  for (int step = 0; step < 30; ++step) {
+    studio.camera.position.y += 0.15;
+    again += calls(true) > calls(false) ? 1 : 0;
+  }
+  CHECK(again < 6);
+}

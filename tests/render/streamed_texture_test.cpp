@@ -9,7 +9,7 @@ using namespace biotope;
 
 namespace {
 
-constexpr int side = 300;
+constexpr int side = 600;
 
 std::shared_ptr<const TexelPyramid<Rgba>> plain(std::uint8_t tone) {
   auto pyramid = std::make_shared<TexelPyramid<Rgba>>();
@@ -53,8 +53,8 @@ TEST_CASE("a large picture comes in over several frames, and the one before stay
     ++frames;
     CHECK(all(texels_of(texture.name(), 0), 50));
   }
-  CHECK(frames >= 4);  // 360 kB and its mipmaps
-  CHECK(frames < 20);
+  CHECK(frames >= 15);  // 1.4 MB and its mipmaps
+  CHECK(frames < 40);
   texture.show();
   CHECK(all(texels_of(texture.name(), 0), 200));
   CHECK(all(texels_of(texture.name(), 3), 200));
@@ -97,9 +97,43 @@ TEST_CASE("a grid comes in by bands of rows") {
   CHECK(texture.coming());
   int frames = 1;
   for (UploadBudget budget = of_bytes(1); !texture.upload(budget); budget = of_bytes(1)) ++frames;
-  CHECK(frames == 2);  // 352 KiB in bands of 256
+  CHECK(frames == 7);  // its storage, then 1406 KiB in bands of 256
   texture.show();
   CHECK_FALSE(texture.coming());
   CHECK(texels_of(texture.texture().name(), 0) == std::vector<Rgba>(grid->cells().begin(), grid->cells().end()));
   CHECK(glGetError() == GL_NO_ERROR);
+}
+
+TEST_CASE("what was shown before is filled anew for the next picture, and given back where none comes") {
+  const auto context = OffscreenContext::create();
+  if (!context) return;
+  StreamedGrid<Rgba> texture;
+  UploadBudget all_at_once = UploadBudget::unlimited();
+  const auto show = [&](int width, std::uint8_t tone) {
+    const auto grid = std::make_shared<Grid<Rgba>>(width, side, Rgba{tone, tone, tone, 255});
+    texture.want(grid, {grid.get()}, {});
+    REQUIRE(texture.upload(all_at_once));
+    texture.show();
+    return texture.texture().name();
+  };
+  const GLuint first = show(side, 1);
+  const GLuint second = show(side, 2);
+  CHECK(second != first);
+  CHECK(show(side, 3) == first);
+  CHECK(all(texels_of(first, 0), 3));
+  CHECK(show(side / 2, 4) != second);
+  CHECK(glGetError() == GL_NO_ERROR);
+
+  SpareTexture spare;
+  const TextureShape shape{GL_RGBA8, side, side, 1, {}};
+  spare.keep(std::move(*spare.take(shape, all_at_once)), shape);
+  const auto now = SpareTexture::Clock::now();
+  spare.tidy(all_at_once, now);
+  CHECK(bool(spare));
+  UploadBudget spent = of_bytes(0);
+  spare.tidy(spent, now + std::chrono::minutes(1));
+  CHECK(bool(spare));
+  spare.tidy(all_at_once, now + std::chrono::minutes(1));
+  CHECK_FALSE(bool(spare));
+  CHECK_FALSE(spare.take(shape, spent));
 }

@@ -338,7 +338,7 @@ TEST_CASE("every edit is told once it is done") {
   EditorState state;
   show_small(state);
   std::vector<std::string> told;
-  state.edit_listener = [&](EditorState&, const Edit& edit) { told.push_back(edit_name(edit)); };
+  state.edit_listener = [&](EditorState& s, const Edit& edit) { told.push_back(edit_name(edit, s.document)); };
   click(state, {40, 40});
   click(state, {40, 40}, {.control = true, .shift = false});
   state.tool = Tool::select_rectangle;

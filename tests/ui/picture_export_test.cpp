@@ -1,5 +1,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <cstdlib>
@@ -96,57 +97,145 @@ TEST_CASE("tiles cover a picture once and nothing else") {
 TEST_CASE("tiles lie in the picture with the lowest row at the bottom") {
   Image whole{2, 4, std::vector<std::uint8_t>(32, 0)};
   Image pixels{2, 1, {1, 1, 1, 1, 2, 2, 2, 2}};
-  place_tile(whole, pixels, {0, 0, 2, 1});
+  place_tile(whole, pixels, {0, 0, 2, 1}, {0, 0, 2, 1});
   CHECK(whole.rgba[24] == 1);
   CHECK(whole.rgba[28] == 2);
   CHECK(whole.rgba[0] == 0);
 }
 
-TEST_CASE("a picture drawn in tiles is the one drawn at once") {
+TEST_CASE("what is drawn around a tile ends at the picture, and only the tile of it is taken") {
+  const PictureTile tile{2, 1, 1, 1};
+  const PictureTile drawn = with_margin(tile, 2, 4, 3);
+  CHECK(drawn.x == 0);
+  CHECK(drawn.y == 0);
+  CHECK(drawn.width == 4);
+  CHECK(drawn.height == 3);
+  Image pixels{4, 3, std::vector<std::uint8_t>(48, 0)};
+  pixels.rgba[4 * (1 * 4 + 2)] = 7;
+  Image whole{4, 3, std::vector<std::uint8_t>(48, 1)};
+  place_tile(whole, pixels, tile, drawn);
+  CHECK(whole.rgba[4 * (1 * 4 + 2)] == 7);
+  CHECK(std::count(whole.rgba.begin(), whole.rgba.end(), 1) == 44);
+}
+
+namespace {
+
+/// A wood and a meadow on both sides of a river, drawn by one renderer.
+struct TiledPicture {
+  static constexpr int width = 320;
+  static constexpr int height = 200;
+  std::unique_ptr<LandscapeRenderer> renderer;
+  PictureOrder order = order_of("x.png");
+
+  bool make(float quality) {
+    auto made = LandscapeRenderer::create();
+    REQUIRE(made);
+    renderer = std::move(*made);
+    const auto wooded = test::level_landscape();
+    test::cover(*wooded, 0, 0.25F);
+    test::cover(*wooded, 2, 0.1F);
+    test::cover(*wooded, 3, 0.6F);
+    wooded->hydrology = test::river(62, 66);
+    order.snapshot = wooded;
+    order.options.quality = quality;
+    // Over the river, along which trees stand on both sides.
+    order.camera.position = {272, 200, 103};
+    order.camera.heading = 330;
+    order.camera.pitch = -8;
+    renderer->set_snapshot(order.snapshot);
+    renderer->finish_loading(order.camera, order.options);
+    return true;
+  }
+  [[nodiscard]] Image at_once() const {
+    const RenderTarget target(width, height);
+    target.bind();
+    renderer->draw(order.camera, order.options, width, height);
+    return target.read();
+  }
+  [[nodiscard]] Image in_tiles(int side, int margin) const {
+    Image whole{width, height, std::vector<std::uint8_t>(std::size_t(width) * height * 4, 0)};
+    for (int i = 0; i < tile_count(width, height, side); ++i) {
+      const PictureTile tile = picture_tile(width, height, side, i);
+      const PictureTile drawn = with_margin(tile, margin, width, height);
+      const RenderTarget part(drawn.width, drawn.height);
+      part.bind();
+      LandscapeOptions options = order.options;
+      options.corner = {drawn.x, drawn.y};
+      renderer->draw(order.camera, options, width, height);
+      place_tile(whole, part.read(), tile, drawn);
+    }
+    return whole;
+  }
+};
+
+/// Share of pixels that differ by more than a hair: of all, and of those within two pixels of a tile's edge.
+struct Differences {
+  double all = 0;
+  double at_seams = 0;
+};
+Differences differences(const Image& a, const Image& b, int side) {
+  int all = 0;
+  int seams = 0;
+  int at_seams = 0;
+  for (int y = 0; y < a.height; ++y) {
+    for (int x = 0; x < a.width; ++x) {
+      const std::size_t at = 4 * (std::size_t(y) * std::size_t(a.width) + std::size_t(x));
+      int most = 0;
+      for (std::size_t c = 0; c < 3; ++c) most = std::max(most, std::abs(int(a.rgba[at + c]) - int(b.rgba[at + c])));
+      const int row = a.height - 1 - y;
+      const bool seam = (x + 2) % side < 4 || (row + 2) % side < 4;
+      seams += seam ? 1 : 0;
+      if (most <= 3) continue;
+      ++all;
+      at_seams += seam ? 1 : 0;
+    }
+  }
+  return {double(all) / (double(a.width) * a.height), double(at_seams) / std::max(seams, 1)};
+}
+
+}  // namespace
+
+TEST_CASE("a picture drawn in tiles is the one drawn at once, with all effects and without a seam") {
   const auto context = OffscreenContext::create();
   if (!context) {
     WARN("No OpenGL here: " << context.error().message);
     return;
   }
-  auto renderer = LandscapeRenderer::create();
-  REQUIRE(renderer);
-  PictureOrder order = order_of("x.png");
-  const auto wooded = test::level_landscape();
-  test::cover(*wooded, 0, 0.25F);
-  test::cover(*wooded, 2, 0.1F);
-  test::cover(*wooded, 3, 0.6F);
-  wooded->hydrology = test::river(62, 66);
-  order.snapshot = wooded;
-  order.camera.position = {256, 150, 108};
-  order.camera.heading = 10;
-  (*renderer)->set_snapshot(order.snapshot);
-  (*renderer)->finish_loading(order.camera, order.options);
-  const RenderTarget target(96, 64);
-  target.bind();
-  (*renderer)->draw(order.camera, order.options, 96, 64);
-  const Image once = target.read();
-  Image whole{96, 64, std::vector<std::uint8_t>(96 * 64 * 4, 0)};
-  for (int i = 0; i < tile_count(96, 64, 40); ++i) {
-    const PictureTile tile = picture_tile(96, 64, 40, i);
-    const RenderTarget part(tile.width, tile.height);
-    part.bind();
-    LandscapeOptions options = order.options;
-    options.corner = {tile.x, tile.y};
-    (*renderer)->draw(order.camera, options, 96, 64);
-    place_tile(whole, part.read(), tile);
-  }
+  const float quality = GENERATE(0.5F, 2.0F, 4.0F);
+  CAPTURE(quality);
+  TiledPicture picture;
+  REQUIRE(picture.make(quality));
+  constexpr int side = 96;
+  const Image once = picture.at_once();
+  const int margin = tile_margin(picture.order.options, TiledPicture::height);
+  CHECK((margin > 0) == (quality >= 2));
   // Where a leaf's edge lies a hair beside a pixel's middle, rounding may put it on the other side.
-  int different = 0;
-  for (std::size_t i = 0; i < whole.rgba.size(); i += 4) {
-    int most = 0;
-    for (std::size_t c = 0; c < 3; ++c) most = std::max(most, std::abs(int(whole.rgba[i + c]) - int(once.rgba[i + c])));
-    different += most > 2 ? 1 : 0;
+  const Differences tiled = differences(once, picture.in_tiles(side, margin), side);
+  CHECK(tiled.all < 0.004);
+  CHECK(tiled.at_seams < 0.008);
+  if (quality >= 2) {
+    // Effects are there, and need the margin.
+    CHECK(differences(once, picture.in_tiles(side, 0), side).at_seams > 0.02);
+    picture.order.options.smooth_edges = picture.order.options.occlusion = picture.order.options.reflections = false;
+    CHECK(differences(once, picture.at_once(), side).all > 0.05);
   }
-  CHECK(different < 96 * 64 / 50);
   std::set<std::uint32_t> colours;
   for (std::size_t i = 0; i < once.rgba.size(); i += 4)
     colours.insert(once.rgba[i] | once.rgba[i + 1] << 8U | once.rgba[i + 2] << 16U);
   CHECK(colours.size() > 20);
+}
+
+TEST_CASE("what water mirrors is the same in every tile") {
+  const auto context = OffscreenContext::create();
+  if (!context) return;
+  TiledPicture picture;
+  REQUIRE(picture.make(2));
+  picture.order.options.smooth_edges = false;
+  const Image once = picture.at_once();
+  // Tiles so small that none holds what it mirrors.
+  CHECK(differences(once, picture.in_tiles(40, 0), 40).all < 0.004);
+  picture.order.options.reflections = false;
+  CHECK(differences(once, picture.at_once(), 40).all > 0.01);
 }
 
 TEST_CASE("a picture and a path's pictures get onto the disk, whole") {
