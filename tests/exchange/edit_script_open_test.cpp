@@ -6,24 +6,14 @@
 
 #include "core/exchange/edit_script_files.hpp"
 #include "core/exchange/edit_script_play.hpp"
+#include "tests/exchange/edit_script_scene.hpp"
 #include "tests/exchange/raster_files.hpp"
-#include "tests/scenes/small_valley.hpp"
 
 using namespace biotope;
 using namespace biotope_test;
 using Catch::Matchers::Contains;
 
 namespace {
-
-Document valley() {
-  auto document = scenes::small_document(std::string(BIOTOPE_SOURCE_DIR) + "/assets");
-  if (!document) FAIL(document.error().message);
-  return *document;
-}
-
-std::string script_of(const std::string& edits) {
-  return R"({"format": "biotope-edits", "version": 1, "edits": [)" + edits + "]}";
-}
 
 void write_script(const std::filesystem::path& file, const std::string& edits) { std::ofstream(file) << script_of(edits); }
 

@@ -7,6 +7,7 @@
 #include "core/exchange/edit_script_play.hpp"
 #include "core/pipeline/edit_grounds.hpp"
 #include "core/pipeline/snapshot_difference.hpp"
+#include "tests/exchange/edit_script_scene.hpp"
 #include "tests/exchange/raster_files.hpp"
 #include "tests/exchange/scene_sample.hpp"
 
@@ -16,12 +17,6 @@ using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 
 namespace {
-
-Document valley() {
-  auto document = scenes::small_document(std::string(BIOTOPE_SOURCE_DIR) + "/assets");
-  if (!document) FAIL(document.error().message);
-  return *document;
-}
 
 EditScript parsed(const std::string& edits) {
   auto script = parse_edit_script(R"({"format": "biotope-edits", "version": 1, "edits": [)" + edits + "]}", "edits.json");

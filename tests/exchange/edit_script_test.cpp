@@ -5,7 +5,7 @@
 #include "core/exchange/edit_script.hpp"
 #include "tests/exchange/edit_script_random.hpp"
 #include "tests/exchange/edit_script_same.hpp"
-#include "tests/scenes/small_valley.hpp"
+#include "tests/exchange/edit_script_scene.hpp"
 
 using namespace biotope;
 using namespace biotope_test;
@@ -13,16 +13,6 @@ using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 
 namespace {
-
-Document valley() {
-  auto document = scenes::small_document(std::string(BIOTOPE_SOURCE_DIR) + "/assets");
-  if (!document) FAIL(document.error().message);
-  return *document;
-}
-
-std::string script_of(const std::string& edits) {
-  return R"({"format": "biotope-edits", "version": 1, "edits": [)" + edits + "]}";
-}
 
 std::string error_of(const std::string& text) {
   const auto script = parse_edit_script(text, "a.json");
