@@ -36,35 +36,56 @@ Status IlluminationState::restart(const Terrain& terrain, const Derivatives& der
   for (std::size_t month = 0; month < 12; ++month) layers_[month].restart(std::move(made[month]));
   changes_.note_all(width, height);
   stale_ = TileSet(width, height, small_side);
+  stale_slopes_ = stale_;
+  moved_ = MovedHorizons(width, height, horizons_->horizons().sectors.size());
   return {};
 }
 
 void IlluminationState::follow(const Terrain& terrain, const TileSet& heights, const TileSet& slopes) {
-  if (heights.any()) stale_ |= horizons_->update(terrain, heights);
-  stale_ |= slopes.in_tiles_of(small_side);
+  if (heights.any()) {
+    horizons_->update(terrain, heights, moved_);
+    stale_ |= moved_.tiles();
+  }
+  stale_slopes_ |= slopes.in_tiles_of(small_side);
+  stale_ |= stale_slopes_;
+}
+
+bool IlluminationState::remake(const Derivatives& derivatives, const Climate& climate, std::size_t tile,
+                               const std::array<std::shared_ptr<Grid<float>>, 12>& made) const {
+  const Rect cells = stale_.rect(tile);
+  std::array<bool, 12> asked{};
+  asked.fill(true);
+  if (!stale_slopes_.contains(tile)) asked = sunlight_->changed_months(horizons_->horizons(), moved_, tile, cells);
+  std::array<Grid<float>*, 12> out{};
+  for (std::size_t month = 0; month < 12; ++month) out[month] = asked[month] ? made[month].get() : nullptr;
+  if (std::ranges::count(asked, true) == 0) return false;
+  sunlight_->illuminate(derivatives, horizons_->horizons(), cells, out);
+  bool another = false;
+  for (std::size_t month = 0; month < 12; ++month) {
+    if (!asked[month]) continue;
+    irradiance_to_index(climate, month, cells, *made[month]);
+    another = another || !same_cells(*made[month], *layers_[month].newest(), cells);
+  }
+  return another;
 }
 
 void IlluminationState::update(const Derivatives& derivatives, const Climate& climate, const TileSet& tiles) {
   const TileSet asked = stale_ & tiles.in_tiles_of(small_side);
   if (!asked.any()) return;
   std::array<std::shared_ptr<Grid<float>>, 12> made;
-  std::array<Grid<float>*, 12> out{};
-  parallel_each(12, [&](std::size_t month) {
-    made[month] = layers_[month].copy();
-    out[month] = made[month].get();
-  });
-  const TileSet changed = changed_tiles(asked, [&](const Rect& rect) {
-    sunlight_->illuminate(derivatives, horizons_->horizons(), rect, out);
-    bool another = false;
-    for (std::size_t month = 0; month < 12; ++month) {
-      irradiance_to_index(climate, month, rect, *out[month]);
-      another = another || !same_cells(*out[month], *layers_[month].newest(), rect);
-    }
-    return another;
-  });
+  parallel_each(12, [&](std::size_t month) { made[month] = layers_[month].copy(); });
+  const auto list = asked.list();
+  std::vector<char> another(list.size(), 0);
+  parallel_each(list.size(), [&](std::size_t i) { another[i] = remake(derivatives, climate, list[i], made) ? 1 : 0; });
+  TileSet changed(asked.width(), asked.height(), small_side);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (another[i] != 0) changed.insert(list[i]);
+    moved_.forget(list[i]);
+  }
   for (std::size_t month = 0; month < 12; ++month) layers_[month].put(std::move(made[month]), changed);
   if (changed.any()) changes_.note(changed);
   stale_ -= asked;
+  stale_slopes_ -= asked;
 }
 
 MonthlyMap IlluminationState::map() const {

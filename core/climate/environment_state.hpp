@@ -37,11 +37,18 @@ class IlluminationState {
   void release_unused();
 
  private:
+  /// Makes the light of a stale tile again in the months in which it may be another; whether it is in any.
+  bool remake(const Derivatives& derivatives, const Climate& climate, std::size_t tile,
+              const std::array<std::shared_ptr<Grid<float>>, 12>& made) const;
+
   std::unique_ptr<HorizonField> horizons_;
   std::unique_ptr<Sunlight> sunlight_;
   std::array<GridGenerations<float>, 12> layers_;
   ChangeLog changes_{small_side};
+  /// Tiles whose light has to be made again: because of their slopes, or only of horizons.
   TileSet stale_;
+  TileSet stale_slopes_;
+  MovedHorizons moved_;
 };
 
 /// Yearly mean temperature at every height.

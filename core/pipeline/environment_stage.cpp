@@ -1,5 +1,7 @@
 #include "core/pipeline/environment_stage.hpp"
 
+#include <algorithm>
+
 namespace biotope {
 namespace {
 
@@ -53,7 +55,11 @@ void follow_climate(EnvironmentStage& stage, const Climate& climate) {
   stage.climate = climate;
 }
 
-Status update_light(EnvironmentStage& stage, const EnvironmentInput& input, const TaskContext& context) {
+/// Shade may wait in more small tiles than these, a twentieth of a second's work, or in more than one in so many. Our choice.
+constexpr std::size_t much_shade = 512;
+constexpr std::size_t much_of_tiles = 8;
+
+Status update_light(EnvironmentStage& stage, const EnvironmentInput& input, FarShade far_shade, const TaskContext& context) {
   const TileSet heights = input.land.changes.since(stage.light_seen_land);
   const TileSet slopes = input.slopes.changes.since(stage.light_seen_slopes);
   const Derivatives& derivatives = *input.slopes.derivatives.newest();
@@ -62,7 +68,10 @@ Status update_light(EnvironmentStage& stage, const EnvironmentInput& input, cons
     if (Status made = stage.light.restart(*input.land.land, derivatives, input.climate, context); !made) return made;
   } else {
     stage.light.follow(*input.land.land, heights, slopes);
-    stage.light.update(derivatives, input.climate, stage.light.stale());
+    stage.light.update(derivatives, input.climate, slopes | heights);
+    const TileSet far = stage.light.stale();
+    const std::size_t little = std::min(much_shade, far.tile_count() / much_of_tiles);
+    if (far_shade == FarShade::exact || far.count() <= little) stage.light.update(derivatives, input.climate, far);
   }
   stage.light_seen_land = input.land.changes.version();
   stage.light_seen_slopes = input.slopes.changes.version();
@@ -122,9 +131,10 @@ TileSet update_environment_nearby(EnvironmentStage& stage, const EnvironmentInpu
   return near;
 }
 
-Status update_environment(EnvironmentStage& stage, const EnvironmentInput& input, const TaskContext& context) {
+Status update_environment(EnvironmentStage& stage, const EnvironmentInput& input, FarShade far_shade,
+                          const TaskContext& context) {
   follow_climate(stage, input.climate);
-  if (Status done = update_light(stage, input, context); !done) return done;
+  if (Status done = update_light(stage, input, far_shade, context); !done) return done;
   if (context.stopped()) return fail("stopped");
   update_warmth(stage, input);
   if (Status done = update_soil(stage, input, context); !done) return done;

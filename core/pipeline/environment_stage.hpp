@@ -51,7 +51,11 @@ struct EnvironmentStage {
 /// come. Returns the tiles.
 TileSet update_environment_nearby(EnvironmentStage& stage, const EnvironmentInput& input);
 
-/// Everything, exactly. Stopped, it keeps what was finished.
-[[nodiscard]] Status update_environment(EnvironmentStage& stage, const EnvironmentInput& input, const TaskContext& context);
+/// Whether shade that a changed ground throws far away may stay that of the ground before, if there is much of it.
+enum class FarShade : std::uint8_t { exact, may_wait };
+
+/// Everything; exactly, unless light is still stale then because its shade waits. Stopped, it keeps what was finished.
+[[nodiscard]] Status update_environment(EnvironmentStage& stage, const EnvironmentInput& input, FarShade far_shade,
+                                        const TaskContext& context);
 
 }  // namespace biotope

@@ -32,6 +32,11 @@ struct MapsSnapshot {
   /// False where plants with desired shares compete by the schedule of before the last edits, and all that lives on them follows
   /// from that: a snapshot with shares found anew over the whole land is to come.
   bool balanced = true;
+  /// False where shade that a changed ground throws far away is still that of the ground before, and all that lives there follows
+  /// from that.
+  bool shaded = true;
+  /// Whether nothing of a complete snapshot is as it was before the last edits.
+  [[nodiscard]] bool exact() const { return balanced && shaded; }
   /// A failure with the stage's name; the maps are then the last good ones.
   Status status;
 

@@ -4,8 +4,7 @@
 #include <numeric>
 
 #include "core/pipeline/solve_parts.hpp"
-#include "core/pipeline/solve_stages.hpp"
-#include "core/pipeline/stage_clock.hpp"
+#include "core/pipeline/solve_run.hpp"
 #include "core/terrain/shaping.hpp"
 
 namespace biotope {
@@ -26,136 +25,98 @@ void release_memory(SolveCache::Stages& stages) {
   stages.environment.soil.release_unused();
 }
 
-/// One run over the operators, in topological order.
-class Run {
- public:
-  /// `lasts`: whether the stages are for further runs.
-  Run(const Document& document, SolveCache::Stages& stages, bool lasts, const TaskContext& context, const PublishPartial& publish)
-      : document_(document),
-        stages_(stages),
-        lasts_(lasts),
-        context_(context),
-        publish_(publish),
-        maps_(std::make_shared<MapsSnapshot>()) {
-    maps_->document = document;
-  }
+template <class T>
+Status keep(std::shared_ptr<const T>& slot, Result<std::shared_ptr<const T>> made) {
+  if (!made) return tl::unexpected<Error>(made.error());
+  slot = *made;
+  return {};
+}
 
-  Result<std::shared_ptr<const MapsSnapshot>> all() {
-    const std::uint64_t land_before = stages_.land.changes.version();
-    for (const auto& todo : {&Run::land, &Run::life_as_before, &Run::life}) {
-      if (Status done = (this->*todo)(); !done) return tl::unexpected<Error>(done.error());
-    }
-    // Once something else is edited, the ground may stay as it is for long.
-    if (stages_.land.changes.version() == land_before) release_memory(stages_);
-    return whole_snapshot();
-  }
+}  // namespace
 
- private:
-  using Step = Status (Run::*)();
-  using Steps = std::vector<std::pair<std::string, Step>>;
+Result<std::shared_ptr<const MapsSnapshot>> SolveRun::all() {
+  const std::uint64_t land_before = stages_.land.changes.version();
+  for (const Step part : {&SolveRun::land, &SolveRun::life_as_before, &SolveRun::life}) {
+    if (Status done = (this->*part)(); !done) return tl::unexpected<Error>(done.error());
+  }
+  // Once something else is edited, the ground may stay as it is for long.
+  if (stages_.land.changes.version() == land_before) release_memory(stages_);
+  return whole_snapshot();
+}
 
-  Status land() {
-    return perform({{"species", &Run::species},
-                    {"ground", &Run::ground},
-                    {"slopes", &Run::slopes},
-                    {nearby_stage, &Run::nearby},
-                    {"water", &Run::water},
-                    {"environment", &Run::environment}});
-  }
-  Status life() {
-    if (Status done = perform({{"plants", &Run::plants}}); !done) return done;
-    return life_on_plants();
-  }
-  Status life_on_plants() {
-    return perform({{"animals", &Run::animals},
-                    {"travel", &Run::travel},
-                    {"trails", &Run::trails},
-                    {"daily plans", &Run::daily_plans},
-                    {"warnings", &Run::overpainted}});
-  }
-  Status life_as_before();
-  Status plants_as_before();
+Status SolveRun::land() {
+  return perform({{"species", &SolveRun::species},
+                  {"ground", &SolveRun::ground},
+                  {"slopes", &SolveRun::slopes},
+                  {nearby_stage, &SolveRun::nearby},
+                  {"water", &SolveRun::water},
+                  {"environment", &SolveRun::environment_as_before}});
+}
 
-  Status perform(const Steps& steps) {
-    for (const auto& [name, step] : steps) {
-      if (context_.stopped()) return fail(stopped_message);
-      clock_.begin(balancing_ ? "balanced " + name : name);
-      context_.report(name, 0);
-      const Status done = (this->*step)();
-      if (context_.stopped()) return fail(stopped_message);
-      if (!done) return fail("While computing " + name + ": " + done.error().message);
-      publish_partial();
-    }
-    clock_.end();
-    return {};
+Status SolveRun::life() {
+  if (!maps_->shaded) {
+    if (Status done = perform({{"far shade", &SolveRun::environment}}); !done) return done;
   }
+  const Status done = perform({{"plants", &SolveRun::plants}});
+  return done ? life_on_plants() : done;
+}
 
-  [[nodiscard]] std::shared_ptr<const MapsSnapshot> whole_snapshot() const {
-    auto whole = std::make_shared<MapsSnapshot>(*maps_);
-    whole->timings = clock_.timings();
-    whole->complete = true;
-    return whole;
-  }
+Status SolveRun::life_on_plants() {
+  return perform({{"animals", &SolveRun::animals},
+                  {"travel", &SolveRun::travel},
+                  {"trails", &SolveRun::trails},
+                  {"daily plans", &SolveRun::daily_plans},
+                  {"warnings", &SolveRun::overpainted}});
+}
 
-  void publish_partial() {
-    // What was shown near the brush, or by the schedule of before, stays until the same maps are known exactly.
-    if (!publish_ || !maps_->hydrology || (shown_nearby_ && maps_->cover.empty()) || balancing_) return;
-    publish_(std::make_shared<MapsSnapshot>(*maps_));
+Status SolveRun::perform(const Steps& steps) {
+  for (const auto& [name, step] : steps) {
+    if (context_.stopped()) return fail(stopped_message);
+    clock_.begin(shown_as_before_ ? "exact " + name : name);
+    context_.report(name, 0);
+    const Status done = (this->*step)();
+    if (context_.stopped()) return fail(stopped_message);
+    if (!done) return fail("While computing " + name + ": " + done.error().message);
+    publish_partial();
   }
+  clock_.end();
+  return {};
+}
 
-  template <class T>
-  static Status keep(std::shared_ptr<const T>& slot, Result<std::shared_ptr<const T>> made) {
-    if (!made) return tl::unexpected<Error>(made.error());
-    slot = *made;
-    return {};
-  }
+std::shared_ptr<const MapsSnapshot> SolveRun::whole_snapshot() const {
+  auto whole = std::make_shared<MapsSnapshot>(*maps_);
+  whole->timings = clock_.timings();
+  whole->complete = true;
+  return whole;
+}
 
-  Status species();
-  Status ground();
-  Status slopes();
-  Status nearby();
-  Status water();
-  Status environment();
-  Status plants();
-  Status animals();
-  Status animal_level(std::size_t index);
-  Status travel();
-  Status trails();
-  Status daily_plans();
-  Status overpainted();
+void SolveRun::publish_partial() {
+  // What was shown near the brush, or with what is global as before, stays until the same maps are known exactly.
+  if (!publish_ || !maps_->hydrology || (shown_nearby_ && maps_->cover.empty()) || shown_as_before_) return;
+  publish_(std::make_shared<MapsSnapshot>(*maps_));
+}
 
-  [[nodiscard]] EnvironmentInput environment_input() const {
-    return {stages_.land, stages_.slopes, stages_.water, document_.climate, document_.given_environment};
-  }
-  [[nodiscard]] std::vector<double> desired(int level) const {
-    const auto use = document_.use_proportions.find(level);
-    if (use != document_.use_proportions.end() && !use->second) return {};
-    return desired_proportions(*maps_->web, level, document_.climate.name);
-  }
-  /// What every animal reads of the ground: where it can be.
-  [[nodiscard]] InputPointers ground_pointers() const {
-    return {biology_, maps_->land, maps_->derivatives, maps_->hydrology, maps_->tree_cover, maps_->passage, stages_.opened};
-  }
-  [[nodiscard]] InputPointers level_pointers() const {
-    InputPointers inputs = ground_pointers();
-    inputs.insert(inputs.end(), maps_->animals.begin(), maps_->animals.end());
-    return inputs;
-  }
+EnvironmentInput SolveRun::environment_input() const {
+  return {stages_.land, stages_.slopes, stages_.water, document_.climate, document_.given_environment};
+}
 
-  const Document& document_;
-  SolveCache::Stages& stages_;
-  bool lasts_;
-  const TaskContext& context_;
-  const PublishPartial& publish_;
-  std::shared_ptr<MapsSnapshot> maps_;
-  std::shared_ptr<const FoodWeb> biology_;
-  bool shown_nearby_ = false;
-  /// Whether all that lives was shown by the schedule of before.
-  bool balancing_ = false;
-  StageClock clock_;
-};
+std::vector<double> SolveRun::desired(int level) const {
+  const auto use = document_.use_proportions.find(level);
+  if (use != document_.use_proportions.end() && !use->second) return {};
+  return desired_proportions(*maps_->web, level, document_.climate.name);
+}
 
-Status Run::species() {
+InputPointers SolveRun::ground_pointers() const {
+  return {biology_, maps_->land, maps_->derivatives, maps_->hydrology, maps_->tree_cover, maps_->passage, stages_.opened};
+}
+
+InputPointers SolveRun::level_pointers() const {
+  InputPointers inputs = ground_pointers();
+  inputs.insert(inputs.end(), maps_->animals.begin(), maps_->animals.end());
+  return inputs;
+}
+
+Status SolveRun::species() {
   // The same species are the same web, so that who draws them need not look whether they changed.
   if (!stages_.web || stages_.web_of != document_.species) {
     auto web = build_food_web(*document_.species);
@@ -176,7 +137,7 @@ Status Run::species() {
   return {};
 }
 
-Status Run::ground() {
+Status SolveRun::ground() {
   keep_equal(stages_.places, document_.placements.places);
   Places opened = document_.placements.places;
   opened.pinned_trails.clear();
@@ -189,35 +150,13 @@ Status Run::ground() {
   return {};
 }
 
-Status Run::slopes() {
+Status SolveRun::slopes() {
   update_slopes(stages_.slopes, stages_.land);
   maps_->derivatives = stages_.slopes.derivatives.newest();
   return {};
 }
 
-/// A small change of the ground is answered around it with the water of before, so that slopes, light, temperature and plants
-/// keep up with the brush. Only shown: what it made is stale wherever the exact maps turn out to be others.
-Status Run::nearby() {
-  maps_->plant_desired = desired(0);
-  const EnvironmentInput input = environment_input();
-  const PlantStage& plants = stages_.plants;
-  if (!publish_ || !can_answer_nearby(stages_.environment, input)) return {};
-  if (!can_answer_plants_near(plants, *biology_, *stages_.environment.maps, maps_->plant_desired)) return {};
-  const TileSet near = update_environment_nearby(stages_.environment, input);
-  MapsSnapshot shown = *maps_;
-  shown.hydrology = stages_.water.newest();
-  shown.environment = stages_.environment.maps;
-  const Status done = update_plants(stages_.plants, *biology_, shown.plant_environment(), stages_.environment.changes,
-                                    maps_->plant_desired, &near, context_);
-  if (!done) return done;
-  painted_plants(stages_, shown);
-  if (context_.stopped()) return fail(stopped_message);
-  shown_nearby_ = true;
-  publish_(std::make_shared<MapsSnapshot>(std::move(shown)));
-  return {};
-}
-
-Status Run::water() {
+Status SolveRun::water() {
   // The weather is that of the file's terrain: a hill that is raised somewhere must not change the water everywhere.
   const auto mean =
       stages_.mean_height.get({document_.terrain}, [&]() -> Result<double> { return mean_height(*document_.terrain); });
@@ -234,42 +173,15 @@ Status Run::water() {
   return {};
 }
 
-Status Run::environment() {
-  if (Status done = update_environment(stages_.environment, environment_input(), context_); !done) return done;
+Status SolveRun::environment_with(FarShade far_shade) {
+  if (Status done = update_environment(stages_.environment, environment_input(), far_shade, context_); !done) return done;
   if (!lasts_) stages_.environment.soil.forget_passes();
   maps_->environment = stages_.environment.maps;
+  maps_->shaded = !stages_.environment.light.stale().any();
   return {};
 }
 
-/// Shares are of the whole land: an edit anywhere may move every plant a little. So plants compete by the schedule of before
-/// first, where their cells changed, and animals, trails and plans follow from that; the schedule is found anew afterwards.
-Status Run::life_as_before() {
-  const EnvironmentMaps& maps = *maps_->environment;
-  if (!publish_ || maps_->plant_desired.empty()) return {};
-  if (!can_answer_plants_near(stages_.plants, *biology_, maps, maps_->plant_desired)) return {};
-  const auto as_it_was = std::make_shared<MapsSnapshot>(*maps_);
-  if (Status done = perform({{"plants", &Run::plants_as_before}}); !done) return done;
-  if (!maps_->balanced) {
-    if (Status done = life_on_plants(); !done) return done;
-    publish_(whole_snapshot());
-    balancing_ = true;
-  }
-  maps_ = as_it_was;
-  return {};
-}
-
-Status Run::plants_as_before() {
-  TileSet everywhere(maps_->environment->geology->width(), maps_->environment->geology->height());
-  everywhere.insert(maps_->environment->geology->rect());
-  const Status done = update_plants(stages_.plants, *biology_, maps_->plant_environment(), stages_.environment.changes,
-                                    maps_->plant_desired, &everywhere, context_);
-  if (!done) return done;
-  maps_->balanced = !stages_.plants.schedule_stale;
-  painted_plants(stages_, *maps_);
-  return {};
-}
-
-Status Run::plants() {
+Status SolveRun::plants() {
   const Status done = update_plants(stages_.plants, *biology_, maps_->plant_environment(), stages_.environment.changes,
                                     maps_->plant_desired, nullptr, context_);
   if (!done) return done;
@@ -277,7 +189,7 @@ Status Run::plants() {
   return {};
 }
 
-Status Run::animal_level(std::size_t index) {
+Status SolveRun::animal_level(std::size_t index) {
   const int number = int(index) + 1;
   AnimalLevelInput input{*maps_->web,
                          number,
@@ -308,7 +220,7 @@ Status Run::animal_level(std::size_t index) {
   return {};
 }
 
-Status Run::animals() {
+Status SolveRun::animals() {
   const std::size_t count = maps_->web->levels.size() - 1;
   stages_.levels.resize(count);
   stages_.movement.resize(count);
@@ -320,7 +232,7 @@ Status Run::animals() {
   return {};
 }
 
-Status Run::travel() {
+Status SolveRun::travel() {
   InputPointers all;
   for (std::size_t i = 0; i < maps_->animals.size(); ++i) {
     context_.report("travel", double(i) / double(maps_->animals.size()));
@@ -338,7 +250,7 @@ Status Run::travel() {
   return keep(maps_->graph, stages_.graph.get(all, [&]() -> Result<ResourceAccessGraph> { return assembled_graph(*maps_); }));
 }
 
-Status Run::trails() {
+Status SolveRun::trails() {
   InputPointers inputs = level_pointers();
   inputs.push_back(maps_->graph);
   inputs.push_back(maps_->places);
@@ -347,7 +259,7 @@ Status Run::trails() {
   }));
 }
 
-Status Run::daily_plans() {
+Status SolveRun::daily_plans() {
   InputPointers inputs = level_pointers();
   inputs.push_back(maps_->graph);
   inputs.push_back(maps_->trails);
@@ -366,7 +278,7 @@ Status Run::daily_plans() {
   return {};
 }
 
-Status Run::overpainted() {
+Status SolveRun::overpainted() {
   InputPointers inputs{biology_, maps_->environment};
   std::vector<std::shared_ptr<const PaintLayer>> paint;
   for (const int plant : maps_->web->levels.front()) {
@@ -388,15 +300,13 @@ Status Run::overpainted() {
   return {};
 }
 
-}  // namespace
-
 void SolveCache::release_unused() { release_memory(*stages_); }
 
 Result<std::shared_ptr<const MapsSnapshot>> solve(const Document& document, SolveCache* cache, const TaskContext& context,
                                                   const PublishPartial& publish) {
   if (const Status usable = check_inputs(document); !usable) return tl::unexpected<Error>(usable.error());
   SolveCache own;
-  return Run(document, (cache ? *cache : own).stages(), cache != nullptr, context, publish).all();
+  return SolveRun(document, (cache ? *cache : own).stages(), cache != nullptr, context, publish).all();
 }
 
 }  // namespace biotope

@@ -9,7 +9,7 @@
 
 namespace biotope {
 
-/// Called with partial snapshots while a solve runs (complete == false), and with a complete one that is not balanced yet; may be
+/// Called with partial snapshots while a solve runs (complete == false), and with a complete one that is not exact yet; may be
 /// empty.
 using PublishPartial = std::function<void(std::shared_ptr<const MapsSnapshot>)>;
 

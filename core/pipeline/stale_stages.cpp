@@ -17,6 +17,12 @@ void mark_ground(StaleStages& stale) {
   mark_from(stale, 0);
 }
 
+/// What a complete snapshot owes: what is global was that of before.
+void mark_inexact(StaleStages& stale, const MapsSnapshot& answered) {
+  if (!answered.shaded) stale.environment = true;
+  if (!answered.exact()) mark_from(stale, 0);
+}
+
 void mark_layer(StaleStages& stale, const LayerId& layer, const FoodWeb& web) {
   switch (layer.kind) {
     case LayerKind::ground:
@@ -98,7 +104,7 @@ StaleStages stale_stages(const MapsSnapshot* answered, const Document& document)
     return everything();
   }
   StaleStages stale;
-  if (!answered->balanced) mark_from(stale, 0);
+  mark_inexact(stale, *answered);
   if (!same_inflows(before, document)) mark_ground(stale);
   mark_paint(stale, *answered, document);
   mark_species(stale, *answered, document);
@@ -118,11 +124,11 @@ StaleStages stale_stages(const MapsSnapshot* answered, const Document& document)
 StaleStages still_stale(StaleStages stale, const MapsSnapshot& reached) {
   if (reached.complete) {
     stale = {};
-    if (!reached.balanced) mark_from(stale, 0);
+    mark_inexact(stale, reached);
     return stale;
   }
   if (reached.hydrology) stale.water = false;
-  if (reached.environment) stale.environment = false;
+  if (reached.environment && reached.shaded) stale.environment = false;
   if (reached.cover.empty()) return stale;
   const int levels = reached.web ? int(reached.web->levels.size()) : 0;
   const int done = 1 + int(reached.animals.size());

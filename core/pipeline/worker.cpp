@@ -49,7 +49,7 @@ struct Worker::State {
   /// Whether the run gives way to edits: past the levels of the food chain, or past an answer near the brush; whatever waits once
   /// all but the shares of plants is answered.
   bool gives_way = false;
-  bool only_balances = false;
+  bool only_refines = false;
   /// Since when edits wait for a complete answer: the first of them, or the last complete answer if that came later.
   std::chrono::steady_clock::time_point waiting_since;
   SolveCache cache;
@@ -87,7 +87,7 @@ bool is_tail(std::string_view stage) { return stage == "travel" || stage == "tra
 
 /// Whether an edit that waits, or arrives now, stops the run.
 bool Worker::State::lets_edits_pass() const {
-  return only_balances || (gives_way && std::chrono::steady_clock::now() - waiting_since < patience);
+  return only_refines || (gives_way && std::chrono::steady_clock::now() - waiting_since < patience);
 }
 
 std::uint64_t Worker::State::post(Document document, bool from_scratch) {
@@ -155,7 +155,7 @@ void Worker::State::run(const Job& job) {
     progress.busy = true;
     progress.levels_done = 0;
     progress.stale = stale_stages(job.from_scratch ? nullptr : complete.get(), job.document);
-    gives_way = only_balances = false;
+    gives_way = only_refines = false;
   }
   context.progress = [this](std::string_view stage, double fraction) {
     const std::lock_guard lock(mutex);
@@ -170,8 +170,8 @@ void Worker::State::run(const Job& job) {
     publish(*partial, job.revision);
     const std::lock_guard lock(mutex);
     gives_way = gives_way || progress.stage == nearby_stage;
-    only_balances = partial->complete;
-    if (slot && only_balances) run_stop.request_stop();
+    only_refines = partial->complete;
+    if (slot && only_refines) run_stop.request_stop();
   };
   Result<std::shared_ptr<const MapsSnapshot>> result = fail(stopped_message);
   try {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/base/parallel.hpp"
 #include "core/terrain/sun.hpp"
@@ -85,8 +86,8 @@ class SectorScan {
     return family_.along_x ? y - shift_[std::size_t(x)] : x - shift_[std::size_t(y)];
   }
 
-  /// Scans a line from its far end, keeping the upper convex hull of what lies ahead; calls changed(x, y) where the tangent is
-  /// another.
+  /// Scans a line from its far end, keeping the upper convex hull of what lies ahead; calls
+  /// changed(x, y, before) where the tangent is another.
   template <class Changed>
   void scan(int line, std::vector<HullPoint>& hull, Grid<float>& tangents, const Changed& changed) const {
     hull.resize(std::size_t(major_) + 1);
@@ -114,8 +115,7 @@ class SectorScan {
       }
       tangent = std::max(tangent, 0.0F);
       if (tangents[cell] != tangent) {
-        tangents[cell] = tangent;
-        changed(family_.along_x ? m : n, family_.along_x ? n : m);
+        changed(family_.along_x ? m : n, family_.along_x ? n : m, std::exchange(tangents[cell], tangent));
       }
       hull[top++] = here;
     }
@@ -169,36 +169,32 @@ HorizonField::HorizonField(const Terrain& terrain, int sectors, int stride) {
     const SectorScan scan(coarse_, azimuth_of(sector, horizons_.sectors.size()), cell);
     std::vector<HullPoint> hull;
     for (int line = scan.first_line(); line < scan.end_line(); ++line) {
-      scan.scan(line, hull, horizons_.sectors[sector], [](int, int) {});
+      scan.scan(line, hull, horizons_.sectors[sector], [](int, int, float) {});
     }
   });
 }
 
-TileSet HorizonField::update(const Terrain& terrain, const TileSet& changed) {
+void HorizonField::update(const Terrain& terrain, const TileSet& changed, MovedHorizons& moved) {
   const int stride = horizons_.stride;
-  const std::vector<CoarseCell> moved = follow_heights(terrain.height, stride, changed, coarse_);
-  TileSet touched(terrain.height.width(), terrain.height.height(), small_side);
-  if (moved.empty()) return touched;
+  const std::vector<CoarseCell> cells = follow_heights(terrain.height, stride, changed, coarse_);
+  if (cells.empty()) return;
   const float cell = float(terrain.cell_size * stride);
-  std::vector<TileSet> by_sector(horizons_.sectors.size(), touched);
   parallel_each(horizons_.sectors.size(), [&](std::size_t sector) {
     const SectorScan scan(coarse_, azimuth_of(sector, horizons_.sectors.size()), cell);
     std::vector<char> asked(std::size_t(scan.end_line() - scan.first_line()) + 2, 0);
-    for (const CoarseCell& at : moved) {
+    for (const CoarseCell& at : cells) {
       const auto line = std::size_t(scan.line_of(at.x, at.y) - scan.first_line()) + 1;
       for (std::size_t beside = line - 1; beside <= line + 1; ++beside) asked[beside] = 1;
     }
     std::vector<HullPoint> hull;
     // Terrain cells between the centres of a horizon cell and its neighbours are the ones that read it.
-    const auto changed_at = [&](int x, int y) {
-      by_sector[sector].insert({(x - 1) * stride, (y - 1) * stride, (x + 2) * stride, (y + 2) * stride});
+    const auto changed_at = [&](int x, int y, float before) {
+      moved.note(sector, {(x - 1) * stride, (y - 1) * stride, (x + 2) * stride, (y + 2) * stride}, before);
     };
     for (int line = scan.first_line(); line < scan.end_line(); ++line) {
       if (asked[std::size_t(line - scan.first_line()) + 1] != 0) scan.scan(line, hull, horizons_.sectors[sector], changed_at);
     }
   });
-  for (const TileSet& tiles : by_sector) touched |= tiles;
-  return touched;
 }
 
 Horizons compute_horizons(const Terrain& terrain, int sectors, int stride) {

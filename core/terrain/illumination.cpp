@@ -110,13 +110,19 @@ double coarse_place(int fine, int stride, int count) {
   return std::clamp((fine - (stride - 1) / 2.0) / stride, 0.0, double(count - 1));
 }
 
+/// First of the two rows of the horizon grid between which a terrain row lies, and how far it is toward the second.
+std::pair<int, float> between_rows(const Horizons& horizons, int y) {
+  const int rows = horizons.sectors[0].height();
+  const double place = coarse_place(y, horizons.stride, rows);
+  const int above = std::min(int(place), std::max(rows - 2, 0));
+  return {above, float(place - above)};
+}
+
 /// Some columns of horizons along one terrain row, still at the horizon grid's columns (beyond the last it repeats).
 void horizons_of_row(const Horizons& horizons, int y, int first_column, int columns, std::vector<float>& out) {
   const int rows = horizons.sectors[0].height();
   const int last = horizons.sectors[0].width() - 1;
-  const double place = coarse_place(y, horizons.stride, rows);
-  const int above = std::min(int(place), std::max(rows - 2, 0));
-  const float share = float(place - above);
+  const auto [above, share] = between_rows(horizons, y);
   out.resize(std::size_t(columns) * sector_count);
   for (std::size_t s = 0; s < sector_count; ++s) {
     const auto north = horizons.sectors[s].row(above);
@@ -127,6 +133,14 @@ void horizons_of_row(const Horizons& horizons, int y, int first_column, int colu
       row[c] = north[from] + share * (south[from] - north[from]);
     }
   }
+}
+
+/// Whether a sample finds the sun clear of both its horizons wherever they lie in these ranges, or behind both.
+bool same_light(const SunSample& sample, const TangentRange& here, const TangentRange& beside) {
+  // Far more than what rounding can make of a horizon between two others.
+  const float margin = 1e-5F * (1 + sample.top);
+  if (std::max(here.highest, beside.highest) < sample.top - 1 / sample.inverse_band - margin) return true;
+  return std::min(here.lowest, beside.lowest) > sample.top + margin;
 }
 
 }  // namespace
@@ -140,6 +154,37 @@ Sunlight::Sunlight(double latitude, int width, const Horizons& horizons) : left_
     left_[std::size_t(x)] = std::uint16_t(left);
     share_[std::size_t(x)] = float(place - left);
   }
+}
+
+TangentRange Sunlight::read_by(const Horizons& horizons, std::size_t sector, const Rect& cells) const {
+  const Grid<float>& tangents = horizons.sectors[sector];
+  const int last_row = std::min(between_rows(horizons, cells.y1 - 1).first + 1, tangents.height() - 1);
+  const auto first = std::size_t(left_[std::size_t(cells.x0)]);
+  const auto last = std::min(std::size_t(left_[std::size_t(cells.x1) - 1]) + 1, std::size_t(tangents.width()) - 1);
+  TangentRange range;
+  for (int y = between_rows(horizons, cells.y0).first; y <= last_row; ++y) {
+    for (const float tangent : tangents.row(y).subspan(first, last + 1 - first)) range.add(tangent);
+  }
+  return range;
+}
+
+std::array<bool, 12> Sunlight::changed_months(const Horizons& horizons, const MovedHorizons& moved, std::size_t tile,
+                                              const Rect& cells) const {
+  std::array<bool, sector_count> others{};
+  std::array<TangentRange, sector_count> ranges;
+  for (std::size_t s = 0; s < sector_count; ++s) {
+    others[s] = moved.before(s, tile).any();
+    ranges[s] = read_by(horizons, s, cells);
+    ranges[s].add(moved.before(s, tile));
+  }
+  std::array<bool, 12> changed{};
+  for (std::size_t month = 0; month < 12; ++month) {
+    changed[month] = std::ranges::any_of(samples_[month], [&](const SunSample& sample) {
+      if (!others[sample.sector] && !others[sample.next_sector]) return false;
+      return !same_light(sample, ranges[sample.sector], ranges[sample.next_sector]);
+    });
+  }
+  return changed;
 }
 
 void Sunlight::illuminate(const Derivatives& derivatives, const Horizons& horizons, const Rect& cells,
@@ -166,6 +211,7 @@ void Sunlight::illuminate(const Derivatives& derivatives, const Horizons& horizo
       }
     }
     for (std::size_t month = 0; month < 12; ++month) {
+      if (out[month] == nullptr) continue;
       ChunkValues sum{};
       for (const SunSample& sample : samples_[month]) add_sample(sample, ground, sum);
       for (int y = y0; y < y1; ++y) {

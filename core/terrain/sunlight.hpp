@@ -6,6 +6,7 @@
 
 #include "core/base/grid.hpp"
 #include "core/terrain/derivatives.hpp"
+#include "core/terrain/moved_horizons.hpp"
 #include "core/terrain/sun.hpp"
 #include "core/terrain/terrain.hpp"
 #include "core/terrain/tile_set.hpp"
@@ -22,9 +23,9 @@ class HorizonField {
   HorizonField() = default;
   explicit HorizonField(const Terrain& terrain, int sectors = illumination_sectors, int stride = 0);
 
-  /// Follows the ground, of the same size, after changes in some tiles; returns the small tiles with a cell whose horizon may
-  /// differ.
-  [[nodiscard]] TileSet update(const Terrain& terrain, const TileSet& changed);
+  /// Follows the ground, of the same size, after changes in some tiles; notes for every cell whose horizon may differ what it
+  /// was.
+  void update(const Terrain& terrain, const TileSet& changed, MovedHorizons& moved);
   [[nodiscard]] const Horizons& horizons() const { return horizons_; }
 
  private:
@@ -54,11 +55,20 @@ class Sunlight {
   /// For terrains of this width and horizons of this layout.
   Sunlight(double latitude, int width, const Horizons& horizons);
 
-  /// Writes the twelve ratios (see compute_monthly_illumination) of a rectangle at most tile_side wide.
+  /// By month: whether the light of a small tile, whose slopes are as they were, may have changed since its horizons were what
+  /// was noted. Where the sun stands clear of a horizon before and after, or behind it both times, it did not.
+  [[nodiscard]] std::array<bool, 12> changed_months(const Horizons& horizons, const MovedHorizons& moved, std::size_t tile,
+                                                    const Rect& cells) const;
+
+  /// Writes the twelve ratios (see compute_monthly_illumination) of a rectangle at most tile_side wide; null: a month that is not
+  /// asked for.
   void illuminate(const Derivatives& derivatives, const Horizons& horizons, const Rect& cells,
                   const std::array<Grid<float>*, 12>& out) const;
 
  private:
+  /// Horizons that some cells read, between the lowest and the highest.
+  [[nodiscard]] TangentRange read_by(const Horizons& horizons, std::size_t sector, const Rect& cells) const;
+
   std::array<std::vector<SunSample>, 12> samples_;
   /// Where each column of the terrain lies between the columns of the horizon grid.
   std::vector<std::uint16_t> left_;

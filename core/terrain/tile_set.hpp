@@ -49,11 +49,16 @@ class TileSet {
   void insert(std::size_t tile) { held_[tile] = 1; }
   /// Every tile with a cell of the rectangle, which is cut at the border.
   void insert(const Rect& cells) {
+    each_touched(cells, [this](std::size_t tile) { held_[tile] = 1; });
+  }
+  /// Calls body(number) for every tile with a cell of the rectangle, which is cut at the border, held or not.
+  template <class Body>
+  void each_touched(const Rect& cells, const Body& body) const {
     const Rect inside = intersection(cells, {0, 0, width_, height_});
     if (inside.empty()) return;
     for (int row = inside.y0 / side_; row <= (inside.y1 - 1) / side_; ++row) {
       for (int column = inside.x0 / side_; column <= (inside.x1 - 1) / side_; ++column) {
-        held_[std::size_t(row) * std::size_t(columns_) + std::size_t(column)] = 1;
+        body(std::size_t(row) * std::size_t(columns_) + std::size_t(column));
       }
     }
   }

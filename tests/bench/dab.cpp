@@ -106,7 +106,7 @@ class LevelClock {
   /// Processor time until then.
   [[nodiscard]] double processor(int number) const { return processor_.at(std::size_t(number)); }
   [[nodiscard]] double trails() const { return trails_; }
-  /// Everything, with plants by the schedule of shares of before; less than 0 where there is none.
+  /// Everything, with shares or far shade of before; less than 0 where there is none.
   [[nodiscard]] double all() const { return all_; }
   [[nodiscard]] double all_processor() const { return all_processor_; }
 
@@ -183,8 +183,8 @@ bool run(const Painted& painted, int dabs, const Document& start, SolveCache& ca
     measured.add("all, with plans", clock.all() < 0 ? consistent : clock.all());
     measured.add("all, processor time", clock.all() < 0 ? processor_milliseconds() - processor : clock.all_processor());
     if (clock.all() >= 0) {
-      measured.add("shares found anew, all by them", consistent);
-      measured.add("shares found anew, processor time", processor_milliseconds() - processor);
+      measured.add("all, exactly", consistent);
+      measured.add("all, exactly, processor time", processor_milliseconds() - processor);
     }
     for (const auto& [stage, milliseconds] : (*maps)->timings) measured.add("  stage: " + stage, milliseconds);
     held = std::max(held, memory_held());

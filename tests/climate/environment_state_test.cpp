@@ -57,7 +57,9 @@ TEST_CASE("horizons of a changed ground are those of the whole ground, and the t
     HorizonField field(ground, 16, stride);
     for (std::uint64_t edit = 0; edit < 5; ++edit) {
       const Horizons before = field.horizons();
-      const TileSet told = field.update(ground, raise(ground.height, edit + 10 * std::uint64_t(stride)));
+      MovedHorizons moved(ground.height.width(), ground.height.height(), 16);
+      field.update(ground, raise(ground.height, edit + 10 * std::uint64_t(stride)), moved);
+      const TileSet told = moved.tiles();
       const Horizons whole = compute_horizons(ground, 16, stride);
       for (std::size_t s = 0; s < 16; ++s) {
         REQUIRE(field.horizons().sectors[s] == whole.sectors[s]);
@@ -68,6 +70,10 @@ TEST_CASE("horizons of a changed ground are those of the whole ground, and the t
             TileSet own(told.width(), told.height(), told.side());
             own.insert({x * stride, y * stride, (x + 1) * stride, (y + 1) * stride});
             REQUIRE((own & told) == own);
+            for (const std::size_t tile : own.list()) {
+              REQUIRE(moved.before(s, tile).lowest <= old(x, y));
+              REQUIRE(moved.before(s, tile).highest >= old(x, y));
+            }
           }
         }
       }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/terrain/sun.hpp"
+#include "core/terrain/sunlight.hpp"
 #include "tests/terrain/ground.hpp"
 
 using namespace biotope;
@@ -17,12 +18,14 @@ std::array<Grid<float>, 12> light_on(Terrain terrain, double latitude) {
   return compute_monthly_illumination(terrain, compute_derivatives(terrain)).value();
 }
 
-/// Mean over a day of the sine of the sun's height over ground that tilts `tilt` degrees toward the equator, while it is day on the flat.
+/// Mean over a day of the sine of the sun's height over ground that tilts `tilt` degrees toward the equator, while it is day on
+/// the flat.
 double analytic_mean(double latitude, double tilt, int month) {
   const double declination = solar_declination(middle_day(month));
   const double half_day = day_length(latitude, middle_day(month)) / 24 * std::numbers::pi;
   const double seen = (latitude - tilt) * std::numbers::pi / 180;
-  return (half_day * std::sin(seen) * std::sin(declination) + std::cos(seen) * std::cos(declination) * std::sin(half_day)) / std::numbers::pi;
+  return (half_day * std::sin(seen) * std::sin(declination) + std::cos(seen) * std::cos(declination) * std::sin(half_day)) /
+         std::numbers::pi;
 }
 
 Terrain slope_to(double east, double north) {
@@ -110,4 +113,72 @@ TEST_CASE("the light is a ratio and stops when told to") {
   stop.request_stop();
   const TaskContext context{{}, stop.get_token()};
   CHECK_FALSE(compute_monthly_illumination(rough, compute_derivatives(rough), context));
+}
+
+TEST_CASE("a wall changes the light of a place in the months in which the sun stands low behind it, and in no other") {
+  const Rect place{64, 64, 80, 80};
+  const auto changed_by = [&](int wall_y, float height) {
+    Terrain land = ground(144, 144, 10, [](double, double) { return 300.0; });
+    land.latitude = 45;
+    HorizonField field(land);
+    const Sunlight sunlight(land.latitude, 144, field.horizons());
+    MovedHorizons moved(144, 144, illumination_sectors);
+    for (int x = 0; x < 144; ++x) land.height(x, wall_y) += height;
+    TileSet tiles(144, 144);
+    tiles.insert({0, wall_y, 144, wall_y + 1});
+    field.update(land, tiles, moved);
+    std::size_t tile = 0;
+    while (!(moved.tiles().rect(tile) == place)) ++tile;
+    return sunlight.changed_months(field.horizons(), moved, tile, place);
+  };
+  // Tops of 17 to 22 degrees in the south: the noon of winter stands at 22, that of summer at 68.
+  const auto south = changed_by(110, 130);
+  CHECK(south[december]);
+  CHECK_FALSE(south[june]);
+  // In the north the sun stands in no month; low in the east and west of it, in summer.
+  const auto north = changed_by(34, 130);
+  CHECK_FALSE(north[december]);
+  // Where nothing moved, nothing changes.
+  CHECK(std::ranges::count(changed_by(110, 0), true) == 0);
+}
+
+TEST_CASE("the light of a month that is told unchanged is unchanged to the bit") {
+  Terrain land = rough_ground(144, 144, 10, 12, 300);
+  land.latitude = 47;
+  HorizonField field(land);
+  const Sunlight sunlight(land.latitude, 144, field.horizons());
+  const Derivatives flat = compute_derivatives(land);
+  const auto lit = [&](const Rect& cells) {
+    std::array<Grid<float>, 12> light;
+    std::array<Grid<float>*, 12> out{};
+    for (std::size_t month = 0; month < 12; ++month) {
+      light[month] = Grid<float>(144, 144);
+      out[month] = &light[month];
+    }
+    sunlight.illuminate(flat, field.horizons(), cells, out);
+    return light;
+  };
+  int left_alone = 0;
+  for (std::uint64_t edit = 0; edit < 12; ++edit) {
+    MovedHorizons moved(144, 144, illumination_sectors);
+    const int x = random_int(0, 143, {edit, 1});
+    const int y = random_int(0, 143, {edit, 2});
+    const TileSet all = TileSet::all(144, 144, small_side);
+    std::vector<std::array<Grid<float>, 12>> before;
+    for (std::size_t tile = 0; tile < all.tile_count(); ++tile) before.push_back(lit(all.rect(tile)));
+    land.height(x, y) += float(random_int(-60, 200, {edit, 3}));
+    TileSet tiles(144, 144);
+    tiles.insert({x, y, x + 1, y + 1});
+    field.update(land, tiles, moved);
+    for (std::size_t tile = 0; tile < all.tile_count(); ++tile) {
+      const auto changed = sunlight.changed_months(field.horizons(), moved, tile, all.rect(tile));
+      const auto after = lit(all.rect(tile));
+      for (std::size_t month = 0; month < 12; ++month) {
+        if (changed[month]) continue;
+        REQUIRE(after[month] == before[tile][month]);
+        left_alone += moved.tiles().contains(tile) ? 1 : 0;
+      }
+    }
+  }
+  CHECK(left_alone > 100);
 }
