@@ -18,7 +18,8 @@ endif()
 
 find_program(BIOTOPE_CCACHE ccache)
 if(BIOTOPE_CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${BIOTOPE_CCACHE})
+  # Without this it would not cache what is compiled with a precompiled header.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${BIOTOPE_CCACHE})
 endif()
 
 # Results must be the same to the bit wherever the program runs: no fused

@@ -1,18 +1,16 @@
 #pragma once
 
-#include <chrono>
 #include <condition_variable>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <new>
 #include <optional>
-#include <thread>
+#include <stop_token>
 #include <utility>
-#include <vector>
 
 #include "core/base/background_priority.hpp"
-#include "core/base/last_owner.hpp"
+#include "core/base/background_thread.hpp"
 
 namespace biotope {
 
@@ -26,11 +24,12 @@ class BackgroundMaker {
   /// Makes what was asked for and publishes it, perhaps something coarser first; gives up when the token asks for it.
   using Make = std::function<void(const Request&, const std::stop_token&, const Publish&)>;
 
-  explicit BackgroundMaker(Make make) : make_(std::move(make)), thread_([this](const std::stop_token& stop) { work(stop); }) {}
+  explicit BackgroundMaker(Make make) : make_(std::move(make)) {}
+  /// Stops the picture being made; what waits is not begun.
   ~BackgroundMaker() {
     const std::lock_guard lock(mutex_);
+    slot_.reset();
     outdated_.request_stop();
-    thread_.request_stop();
   }
   BackgroundMaker(const BackgroundMaker&) = delete;
   BackgroundMaker& operator=(const BackgroundMaker&) = delete;
@@ -40,8 +39,10 @@ class BackgroundMaker {
   void request(Request request, bool stops_running) {
     const std::lock_guard lock(mutex_);
     if (stops_running) outdated_.request_stop();
+    const bool waits = slot_.has_value();
     slot_ = std::move(request);
-    wake_.notify_all();
+    // What throws here ends the program: nobody would ever hear of it.
+    if (!waits) (void)thread_.start([this]() noexcept { make_newest(); });
   }
   /// The newest picture made since this was last asked; null when there is none.
   [[nodiscard]] PicturePointer take() {
@@ -56,50 +57,33 @@ class BackgroundMaker {
   /// Blocks until everything asked for is made.
   void wait_idle() {
     std::unique_lock lock(mutex_);
-    wake_.wait(lock, [&] { return !working_ && !slot_; });
+    idle_.wait(lock, [&] { return !working_ && !slot_; });
   }
   /// Takes over a picture that is no longer shown, to free it when nobody holds it any more.
-  void retire(PicturePointer old) {
-    const std::lock_guard lock(mutex_);
-    retired_.keep(std::move(old));
-    wake_.notify_all();
-  }
+  void retire(PicturePointer old) { thread_.retire(std::move(old)); }
 
  private:
-  /// Between looks at what was retired and is still held.
-  static constexpr std::chrono::milliseconds sweep_every{200};
-
-  void work(const std::stop_token& stop) {
+  void make_newest() {
     const BackgroundPriority priority;
     std::unique_lock lock(mutex_);
-    while (!stop.stop_requested()) {
-      const auto asked = [&] { return slot_.has_value(); };
-      if (retired_.empty()) {
-        wake_.wait(lock, stop, [&] { return asked() || !retired_.empty(); });
-      } else {
-        wake_.wait_for(lock, stop, sweep_every, asked);
-      }
-      if (stop.stop_requested()) return;
-      std::vector<std::shared_ptr<const void>> unused = retired_.take_unused();
-      std::optional<Request> request = std::exchange(slot_, std::nullopt);
-      working_ = request.has_value();
-      outdated_ = std::stop_source();
-      const std::stop_token outdated = outdated_.get_token();
-      lock.unlock();
-      unused.clear();
-      if (request) make(*request, outdated);
-      request.reset();
-      lock.lock();
-      working_ = false;
-      wake_.notify_all();
-    }
+    std::optional<Request> request = std::exchange(slot_, std::nullopt);
+    if (!request) return;
+    working_ = true;
+    outdated_ = std::stop_source();
+    const std::stop_token outdated = outdated_.get_token();
+    lock.unlock();
+    make(*request, outdated);
+    request.reset();
+    lock.lock();
+    working_ = false;
+    idle_.notify_all();
   }
 
   void make(const Request& request, const std::stop_token& outdated) {
     try {
       make_(request, outdated, [this](PicturePointer picture) {
         const std::lock_guard lock(mutex_);
-        retired_.keep(std::exchange(made_, std::move(picture)));
+        thread_.retire(std::exchange(made_, std::move(picture)));
       });
     } catch (const std::bad_alloc&) {
       // What is shown stays: a landscape that is too large to draw is also too large to compute, and the worker says so.
@@ -107,14 +91,14 @@ class BackgroundMaker {
   }
 
   mutable std::mutex mutex_;
-  std::condition_variable_any wake_;
+  std::condition_variable idle_;
   std::optional<Request> slot_;
   bool working_ = false;
   PicturePointer made_;
-  LastOwner retired_;
   std::stop_source outdated_;
   Make make_;
-  std::jthread thread_;
+  /// Last, so that it ends before what it uses.
+  BackgroundThread thread_;
 };
 
 }  // namespace biotope

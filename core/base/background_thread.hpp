@@ -46,8 +46,7 @@ class BackgroundThread {
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
-  /// Between looks at what was retired and is still held, however much there is to do.
+  /// Between looks at what was retired and is still held, where there is nothing to do; otherwise it looks before each thing.
   static constexpr std::chrono::milliseconds sweep_every{200};
 
   void wake() {
@@ -57,28 +56,24 @@ class BackgroundThread {
 
   void work(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
-    Clock::time_point next_sweep = Clock::now();
     while (!stop.stop_requested()) {
+      const auto asked = [&] { return !tasks_.empty(); };
       if (retired_.empty()) {
-        wake_.wait(lock, stop, [&] { return !tasks_.empty() || !retired_.empty(); });
+        wake_.wait(lock, stop, [&] { return asked() || !retired_.empty(); });
       } else {
-        wake_.wait_until(lock, stop, next_sweep, [&] { return !tasks_.empty(); });
+        wake_.wait_for(lock, stop, sweep_every, asked);
       }
       if (stop.stop_requested()) return;
+      std::vector<std::shared_ptr<const void>> unused = retired_.take_unused();
       std::packaged_task<void()> task;
-      if (!tasks_.empty()) {
+      if (asked()) {
         task = std::move(tasks_.front());
         tasks_.pop_front();
       }
-      std::vector<std::shared_ptr<const void>> unused;
-      if (Clock::now() >= next_sweep) {
-        unused = retired_.take_unused();
-        next_sweep = Clock::now() + sweep_every;
-      }
       lock.unlock();
+      unused.clear();
       if (task.valid()) task();
       task = {};
-      unused.clear();
       lock.lock();
     }
   }

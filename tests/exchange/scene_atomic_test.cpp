@@ -14,6 +14,15 @@ using namespace biotope;
 using namespace biotope_test;
 using Catch::Matchers::Contains;
 
+namespace {
+
+/// Until a file holds something else; a minute at most.
+void wait_for_another(const std::filesystem::path& file, const std::string& bytes) {
+  for (int i = 0; i < 12000 && bytes_of(file) == bytes; ++i) usleep(5000);
+}
+
+}  // namespace
+
 TEST_CASE("a save on a full disk says so and leaves the old scene whole") {
   const TemporaryFolder folder;
   Document document = full_document();
@@ -54,6 +63,7 @@ TEST_CASE("an editor killed while it saves leaves a whole scene") {
   REQUIRE(save_scene(file, document));
   bool saved_again = false;
   for (int attempt = 0; attempt < 5; ++attempt) {
+    const std::string saved = bytes_of(file);
     const pid_t child = fork();
     if (child == 0) {
       setenv("BIOTOPE_SAVE_TO", file.c_str(), 1);
@@ -61,7 +71,8 @@ TEST_CASE("an editor killed while it saves leaves a whole scene") {
       _exit(1);
     }
     REQUIRE(child > 0);
-    usleep(useconds_t(200000 + 17000 * attempt));
+    wait_for_another(file, saved);
+    usleep(useconds_t(17000 * attempt));
     kill(child, SIGKILL);
     waitpid(child, nullptr, 0);
     const auto loaded = load_scene(file);

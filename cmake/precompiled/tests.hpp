@@ -1,0 +1,6 @@
+// What every test includes.
+#pragma once
+
+#include <catch2/catch.hpp>
+
+#include "cmake/precompiled/standard.hpp"
