@@ -78,6 +78,13 @@ bool day_is_edited(const EditorState& state) {
   return own_day(state, days) != days.end();
 }
 
+PathPoint stop_place(const EditorState& state, const PlanEdit& day, std::size_t stop) {
+  const DailyPlan* plan = state.herd_day.preview ? nullptr : chosen_plan(state);
+  if (plan == nullptr || plan->pursuits.empty() || plan->stops.size() != day.stops.size()) return day.stops[stop].at;
+  const double middle = 0.5 * (double(plan->stops[stop].arrive) + double(plan->stops[stop].leave));
+  return herd_state(*plan, state.shown->graph->levels[std::size_t(plan->level)], middle, state.shown->terrain().cell_size).at;
+}
+
 bool choose_herd(EditorState& state, PathPoint at, float reach) {
   if (!state.shown || !state.shown->web) return false;
   const int index = herd_near(*state.shown, state.view.visible_species, state.clock.hour, at, reach);
@@ -167,6 +174,37 @@ std::string resource_name(const MapsSnapshot& maps, int level, int node) {
   return "nothing";
 }
 
+std::string herd_name(const MapsSnapshot& maps, int plan) {
+  if (!maps.plans || !maps.web || plan < 0 || std::size_t(plan) >= maps.plans->size()) return "nobody";
+  const int species = (*maps.plans)[std::size_t(plan)].species;
+  const auto number = std::count_if(maps.plans->begin(), maps.plans->begin() + plan + 1,
+                                    [&](const DailyPlan& other) { return other.species == species; });
+  return display_name(maps.web->species[std::size_t(species)]) + " " + std::to_string(number);
+}
+
+std::string stop_name(const MapsSnapshot& maps, const DailyPlan& plan, const PlanStop& stop) {
+  if (plan.pursuits.empty()) return resource_name(maps, plan.level, stop.node);
+  const bool known = maps.graph && std::size_t(plan.level) < maps.graph->levels.size() && stop.node >= 0 &&
+                     std::size_t(stop.node) < maps.graph->levels[std::size_t(plan.level)].nodes.size();
+  if (!known || maps.graph->levels[std::size_t(plan.level)].nodes[std::size_t(stop.node)].kind != NodeKind::prey)
+    return resource_name(maps, plan.level, stop.node);
+  const HerdPursuit* pursuit = pursuit_at(plan, 0.5 * (double(stop.arrive) + double(stop.leave)));
+  return pursuit == nullptr ? "Resting place" : herd_name(maps, pursuit->plan);
+}
+
+std::string pursuit_text(const MapsSnapshot& maps, const DailyPlan& plan, double hour) {
+  if (plan.pursuits.empty()) return {};
+  std::vector<int> herds;
+  for (const HerdPursuit& pursuit : plan.pursuits) {
+    if (std::find(herds.begin(), herds.end(), pursuit.plan) == herds.end()) herds.push_back(pursuit.plan);
+  }
+  const HerdPursuit* now = pursuit_at(plan, hour);
+  const std::string following = now == nullptr
+                                    ? "Follows no herd now"
+                                    : "Follows " + herd_name(maps, now->plan) + " until " + format_clock(double(now->until));
+  return following + "; " + (herds.size() == 1 ? "one herd" : std::to_string(herds.size()) + " herds") + " in its day";
+}
+
 int node_near(const MapsSnapshot& maps, int level, PathPoint at) {
   if (!maps.graph || std::size_t(level) >= maps.graph->levels.size()) return -1;
   const auto& nodes = maps.graph->levels[std::size_t(level)].nodes;
@@ -192,7 +230,8 @@ bool press_day(EditorState& state, PathPoint at, float reach) {
   }
   float nearest = reach * 1.3F;
   for (std::size_t i = 0; i < day->stops.size(); ++i) {
-    const float away = std::hypot(day->stops[i].at.x - at.x, day->stops[i].at.y - at.y);
+    const PathPoint place = stop_place(state, *day, i);
+    const float away = std::hypot(place.x - at.x, place.y - at.y);
     if (away >= nearest) continue;
     nearest = away;
     own.held_stop = int(i);

@@ -38,6 +38,9 @@ struct HerdDay {
 /// True when the document holds a day for the chosen herd.
 [[nodiscard]] bool day_is_edited(const EditorState& state);
 
+/// Where a stop of the chosen herd's day is shown: its resource, or, where a predator visits a herd, where it is at half time.
+[[nodiscard]] PathPoint stop_place(const EditorState& state, const PlanEdit& day, std::size_t stop);
+
 /// Chooses the herd under a place; false when there is none.
 bool choose_herd(EditorState& state, PathPoint at, float reach);
 void forget_herd(EditorState& state);
@@ -55,8 +58,14 @@ void set_hours(PlanEdit& day, std::size_t stop, float arrive, float leave);
 
 /// "resting", "drinking" ...
 [[nodiscard]] const char* activity_word(HerdActivity activity);
-/// What a resource is called: "Oak, 3.2 ha", "bank", "herd of red deer".
+/// What a resource is called: "Oak, 3.2 ha", "Water", "Red deer, 310 ha".
 [[nodiscard]] std::string resource_name(const MapsSnapshot& maps, int level, int node);
+/// What a herd is called among those of its species: "Red deer 3", by the order of plans; "nobody" when there is no such plan.
+[[nodiscard]] std::string herd_name(const MapsSnapshot& maps, int plan);
+/// What a herd does at a stop of its plan: the resource, the herd that a predator visits there, or "Resting place".
+[[nodiscard]] std::string stop_name(const MapsSnapshot& maps, const DailyPlan& plan, const PlanStop& stop);
+/// "Follows Red deer 3 until 07:40; 12 herds in its day"; empty for those that follow nobody.
+[[nodiscard]] std::string pursuit_text(const MapsSnapshot& maps, const DailyPlan& plan, double hour);
 /// The node of a level nearest to a place; -1: none.
 [[nodiscard]] int node_near(const MapsSnapshot& maps, int level, PathPoint at);
 

@@ -64,13 +64,32 @@ HerdNeed need_of(const DailyPlan& plan, const GraphLevel& graph, double hour, st
   return need;
 }
 
+/// Who follows herds it lives on has its prey at hand as long as it follows them: places are herds.
+void count_pursuits(const MapsSnapshot& maps, const DailyPlan& plan, double hour, const std::vector<int>& foods, HerdNeed& need) {
+  if (!maps.plans) return;
+  const HerdPursuit* now = pursuit_at(plan, hour);
+  std::vector<int> herds;
+  double hours = 0;
+  for (const HerdPursuit& pursuit : plan.pursuits) {
+    if (pursuit.plan < 0 || std::size_t(pursuit.plan) >= maps.plans->size()) continue;
+    const int prey = (*maps.plans)[std::size_t(pursuit.plan)].species;
+    if (std::find(foods.begin(), foods.end(), prey) == foods.end()) continue;
+    hours += double(pursuit.until) - double(pursuit.from);
+    need.now = need.now || &pursuit == now;
+    if (std::find(herds.begin(), herds.end(), pursuit.plan) == herds.end()) herds.push_back(pursuit.plan);
+  }
+  if (herds.empty()) return;
+  need.herds = need.places = int(herds.size());
+  need.hours = hours;
+}
+
 /// Where the herd is or goes to, and when it gets or leaves there.
 void find_next(const MapsSnapshot& maps, const DailyPlan& plan, double hour, HerdOutlook& out) {
   const PlanStop* next = nullptr;
   double soonest = 25;
   for (const PlanStop& stop : plan.stops) {
     if (lies_within(stop, hour)) {
-      out.where = resource_name(maps, plan.level, stop.node);
+      out.where = stop_name(maps, plan, stop);
       out.until = std::fmod(double(stop.leave), 24.0);
       return;
     }
@@ -80,7 +99,7 @@ void find_next(const MapsSnapshot& maps, const DailyPlan& plan, double hour, Her
     next = &stop;
   }
   if (next == nullptr) return;
-  out.where = resource_name(maps, plan.level, next->node);
+  out.where = stop_name(maps, plan, *next);
   out.until = std::fmod(double(next->arrive), 24.0);
 }
 
@@ -106,15 +125,7 @@ HerdOutlook herd_outlook(const MapsSnapshot& maps, const DailyPlan& plan, double
     HerdNeed need =
         need_of(plan, graph, hour, capital(traits.diet[i].name), [&](const ResourceNode& node) { return offers(node, foods); });
     need.short_supply = lacks(maps, plan, traits.diet[i].name, foods);
-    // Who follows a herd it lives on has its prey at hand all the time.
-    if (plan.followed >= 0 && maps.plans && std::size_t(plan.followed) < maps.plans->size()) {
-      const int prey = (*maps.plans)[std::size_t(plan.followed)].species;
-      if (std::find(foods.begin(), foods.end(), prey) != foods.end()) {
-        need.places = std::max(need.places, 1);
-        need.hours = std::max(need.hours, out.awake);
-        need.now = true;
-      }
-    }
+    count_pursuits(maps, plan, hour, foods, need);
     out.needs.push_back(std::move(need));
   }
   return out;

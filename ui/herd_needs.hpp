@@ -12,6 +12,7 @@ struct HerdNeed {
   std::string name;  ///< "Water", or the need's name in the species file
   double hours = 0;  ///< spent a day where it is found
   int places = 0;    ///< that the herd visits for it
+  int herds = 0;     ///< that it follows for it; then these are its places
   bool now = false;  ///< it is there at the hour asked for
   /// Painted numbers ask for more than there is in the herd's region.
   bool short_supply = false;

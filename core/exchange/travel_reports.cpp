@@ -89,7 +89,16 @@ const ResourceNode* node_of(const MapsSnapshot& snapshot, int level, int node) {
 void append_plan(std::string& text, const MapsSnapshot& snapshot, const DailyPlan& plan) {
   text += "{\"level\":" + std::to_string(plan.level) + ",\"herd\":" + std::to_string(plan.herd) + ",\"species\":\"" +
           species_name(snapshot, plan.species) + "\",\"size\":" + std::to_string(plan.size) +
-          ",\"followed\":" + (plan.followed < 0 ? "null" : std::to_string(plan.followed)) + ",\n \"stops\":[";
+          ",\"followed\":" + (plan.pursuits.empty() ? "null" : std::to_string(plan.pursuits.front().plan)) + ",\n \"pursuits\":[";
+  for (std::size_t i = 0; i < plan.pursuits.size(); ++i) {
+    const HerdPursuit& pursuit = plan.pursuits[i];
+    text += (i > 0 ? ",{\"plan\":" : "{\"plan\":") + std::to_string(pursuit.plan) + ",\"from\":";
+    append_number(text, double(pursuit.from), 4);
+    text += ",\"until\":";
+    append_number(text, double(pursuit.until), 4);
+    text += '}';
+  }
+  text += "],\n \"stops\":[";
   for (std::size_t i = 0; i < plan.stops.size(); ++i) {
     const PlanStop& stop = plan.stops[i];
     if (i > 0) text += ',';

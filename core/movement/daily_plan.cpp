@@ -5,7 +5,7 @@
 
 #include "core/base/parallel.hpp"
 #include "core/base/random.hpp"
-#include "core/movement/plan_parts.hpp"
+#include "core/movement/plan_hunt.hpp"
 
 namespace biotope {
 namespace {
@@ -66,12 +66,6 @@ class Planner {
   std::vector<DailyPlan> take() { return std::move(plans_); }
 
  private:
-  struct Candidate {
-    int plan = 0;
-    int node = 0;
-    double weight = 0;
-  };
-
   static void keep_edits(const PlanInput& input, const std::map<int, const PlanEdit*>& edits,
                          std::vector<std::optional<PlannedDay>>& days) {
     const PlannedEdits named(edits.begin(), edits.end());
@@ -99,51 +93,73 @@ class Planner {
     parallel_each(drafts.size(), [&](std::size_t i) { days[std::size_t(drafts[i].herd)] = walk_day(input, drafts[i], ways); });
   }
 
-  /// In rounds: every pack without a herd draws one (herds that are already followed draw fewer others), then all try to follow.
-  void follow(const PlanInput& input, std::span<const int> packs, std::vector<std::optional<PlannedDay>>& days) {
-    std::vector<int> followers(plans_.size(), 0);
-    std::vector<std::vector<Candidate>> candidates(packs.size());
+  /// Predators: from herd to herd, or behind the only one they can find.
+  void follow(const PlanInput& input, std::span<const int> packs, std::vector<std::optional<PlannedDay>>& days) const {
+    std::vector<std::vector<PreyHerd>> prey(packs.size());
+    parallel_each(packs.size(), [&](std::size_t i) {
+      const auto herd = std::size_t(packs[i]);
+      if (!days[herd] && !lives_on_plants(web_, input.level.herds[herd].species)) prey[i] = prey_of(input, packs[i]);
+    });
+    hunt(input, packs, prey, days);
+    keep_to_one(input, packs, prey, days);
+  }
+
+  /// Packs with several herds to choose from.
+  static void hunt(const PlanInput& input, std::span<const int> packs, std::span<const std::vector<PreyHerd>> prey,
+                   std::vector<std::optional<PlannedDay>>& days) {
+    constexpr int most_neighbours = 2;
+    std::vector<HuntingPack> hunting;
+    std::map<std::pair<int, int>, int> neighbours;
+    const auto group = [&](int pack) -> int& {
+      const Herd& herd = input.level.herds[std::size_t(pack)];
+      return neighbours[{herd.species, herd.region}];
+    };
     for (std::size_t i = 0; i < packs.size(); ++i) {
-      if (!lives_on_plants(web_, input.level.herds[std::size_t(packs[i])].species))
-        candidates[i] = candidates_of(input, packs[i]);
+      if (prey[i].size() > 1) hunting.push_back({packs[i], prey[i], group(packs[i])++, 1});
     }
+    for (HuntingPack& pack : hunting) pack.neighbours = std::min(most_neighbours, group(pack.herd));
+    parallel_each(hunting.size(), [&](std::size_t i) { days[std::size_t(hunting[i].herd)] = hunting_day(input, hunting[i]); });
+  }
+
+  /// In rounds: every pack without a herd draws one (herds that are already followed draw fewer others), then all try to follow.
+  static void keep_to_one(const PlanInput& input, std::span<const int> packs, std::vector<std::vector<PreyHerd>>& prey,
+                          std::vector<std::optional<PlannedDay>>& days) {
+    std::map<int, int> followers;
     constexpr std::uint64_t rounds = 6;
     for (std::uint64_t round = 0; round < rounds; ++round) {
-      std::vector<std::pair<std::size_t, Candidate>> chosen;
+      std::vector<std::pair<std::size_t, PreyHerd>> chosen;
       for (std::size_t i = 0; i < packs.size(); ++i) {
         const auto herd = std::size_t(packs[i]);
-        if (days[herd] || candidates[i].empty()) continue;
-        const std::size_t drawn = draw(candidates[i], followers, random_unit({input.keys[herd], round, 41}));
-        chosen.emplace_back(herd, candidates[i][drawn]);
-        ++followers[std::size_t(candidates[i][drawn].plan)];
-        candidates[i].erase(candidates[i].begin() + std::ptrdiff_t(drawn));
+        if (days[herd] || prey[i].empty()) continue;
+        const std::size_t drawn = draw(prey[i], followers, random_unit({input.keys[herd], round, 41}));
+        chosen.emplace_back(herd, prey[i][drawn]);
+        ++followers[prey[i][drawn].herd.plan];
+        prey[i].erase(prey[i].begin() + std::ptrdiff_t(drawn));
       }
-      parallel_each(chosen.size(),
-                    [&](std::size_t i) { days[chosen[i].first] = try_to_follow(input, chosen[i].first, chosen[i].second); });
-      for (const auto& [herd, candidate] : chosen) {
-        if (!days[herd]) --followers[std::size_t(candidate.plan)];
+      parallel_each(chosen.size(), [&](std::size_t i) {
+        const auto& [herd, one] = chosen[i];
+        days[herd] = follow_herd(input, int(herd), one.herd, ground_of(input, int(herd)));
+      });
+      for (const auto& [herd, one] : chosen) {
+        if (!days[herd]) --followers[one.herd.plan];
       }
     }
   }
 
-  [[nodiscard]] std::optional<PlannedDay> try_to_follow(const PlanInput& input, std::size_t herd,
-                                                        const Candidate& candidate) const {
-    const int species = species_index_of(input.level, input.level.herds[herd]);
-    const FineGround ground = fine_ground(input, input.movement.travel->graph_of_species[std::size_t(species)]);
-    const auto plan = std::size_t(candidate.plan);
-    return follow_herd(
-        input, int(herd),
-        {candidate.plan, &plans_[plan], &courses_[plan], levels_[level_of_plan_[plan]]->graph.get(), candidate.node}, ground);
+  [[nodiscard]] static FineGround ground_of(const PlanInput& input, int herd) {
+    const int species = species_index_of(input.level, input.level.herds[std::size_t(herd)]);
+    return fine_ground(input, input.movement.travel->graph_of_species[std::size_t(species)]);
   }
 
-  /// Herds whose region is a resource of the pack, by P_s(v) of that region and their size; of a region with many herds some.
-  [[nodiscard]] std::vector<Candidate> candidates_of(const PlanInput& input, int herd) const {
+  /// Herds whose region is a resource of the pack, with P_s(v) of that region by their share of the animals there; of a region
+  /// with many herds some.
+  [[nodiscard]] std::vector<PreyHerd> prey_of(const PlanInput& input, int herd) const {
     constexpr std::size_t most_a_region = 24;
     const Herd& pack = input.level.herds[std::size_t(herd)];
     const int species = species_index_of(input.level, pack);
     const auto& presence = input.movement.travel->presence[std::size_t(species)][std::size_t(pack.region)];
     const auto& label = input.level.regions[std::size_t(species)]->label;
-    std::vector<Candidate> candidates;
+    std::vector<PreyHerd> prey;
     for (const auto& [node, probability] : presence) {
       const ResourceNode& place = input.level.graph->nodes[std::size_t(node)];
       if (place.kind != NodeKind::prey) continue;
@@ -151,25 +167,30 @@ class Planner {
       if (there == plans_of_.end()) continue;
       const std::vector<int>& plans = there->second;
       const std::uint64_t start = random_bits({input.keys[std::size_t(herd)], std::uint64_t(node), 43}) % plans.size();
+      const std::size_t first = prey.size();
+      double animals = 0;
       for (std::size_t i = 0; i < std::min(plans.size(), most_a_region); ++i) {
-        const int plan = plans[(start + i) % plans.size()];
-        const PathCell home = cell_at(plans_[std::size_t(plan)].way.front().at);
+        const auto plan = std::size_t(plans[(start + i) % plans.size()]);
+        const PathCell home = cell_at(plans_[plan].way.front().at);
         if (label(home.x, home.y) != pack.region) continue;
-        candidates.push_back({plan, node, double(probability) * plans_[std::size_t(plan)].size});
+        animals += plans_[plan].size;
+        prey.push_back(
+            {{int(plan), &plans_[plan], &courses_[plan], levels_[level_of_plan_[plan]]->graph.get(), node}, double(probability)});
       }
+      for (std::size_t i = first; i < prey.size(); ++i) prey[i].probability *= prey[i].herd.day->size / animals;
     }
-    return candidates;
+    return prey;
   }
 
-  static std::size_t draw(const std::vector<Candidate>& candidates, const std::vector<int>& followers, double unit) {
-    const auto weight = [&](const Candidate& c) { return c.weight / (1 + followers[std::size_t(c.plan)]); };
+  static std::size_t draw(const std::vector<PreyHerd>& prey, std::map<int, int>& followers, double unit) {
+    const auto weight = [&](const PreyHerd& one) { return one.probability / (1 + followers[one.herd.plan]); };
     double total = 0;
-    for (const Candidate& c : candidates) total += weight(c);
+    for (const PreyHerd& one : prey) total += weight(one);
     double left = unit * total;
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-      if ((left -= weight(candidates[i])) < 0) return i;
+    for (std::size_t i = 0; i < prey.size(); ++i) {
+      if ((left -= weight(prey[i])) < 0) return i;
     }
-    return candidates.size() - 1;
+    return prey.size() - 1;
   }
 
   const FoodWeb& web_;
@@ -194,7 +215,7 @@ class Planner {
 DailyPlan stand_still(const PlanInput& input, int herd) {
   const Herd& animals = input.level.herds[std::size_t(herd)];
   const AnimalTraits& animal = input.web.species[std::size_t(animals.species)].animal();
-  DailyPlan plan{input.level.level, herd, animals.species, animals.size, -1, {}, active_hours(animal.activity), {}};
+  DailyPlan plan{input.level.level, herd, animals.species, animals.size, {}, {}, active_hours(animal.activity), {}};
   const ConfinementRegions& regions = *input.level.regions[std::size_t(species_index_of(input.level, animals))];
   const Rect bounds = regions.regions[std::size_t(animals.region)].bounds;
   // Any cell of the region: the first drawn ones, or else the first in order.

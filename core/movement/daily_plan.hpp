@@ -20,14 +20,22 @@ struct PlanStop {
   float leave = 0;
 };
 
+/// A stretch of a predator's day in which it follows a herd, within sight (500 m) of it all the time.
+struct HerdPursuit {
+  float from = 0;  ///< hours; they may pass 24, like those of stops
+  float until = 0;
+  int plan = -1;  ///< index of the herd's plan among all plans
+  bool operator==(const HerdPursuit&) const = default;
+};
+
 /// What a herd does in a day; a pure value.
 struct DailyPlan {
   int level = 1;
   int herd = 0;     ///< index in the level's herds
   int species = 0;  ///< number in the food web
   int size = 0;     ///< individuals
-  /// Index of the plan this predator follows, -1 otherwise.
-  int followed = -1;
+  /// The herds this predator follows, one after another; empty for all others.
+  std::vector<HerdPursuit> pursuits = {};
   std::vector<PlanStop> stops;
   /// Hours the species is active; outside them a herd that stands still rests. May pass 24, like the stops.
   struct Span {
@@ -51,6 +59,10 @@ struct DailyPlan {
 
 enum class HerdActivity : std::uint8_t { resting, drinking, feeding, walking, hunting };
 
+/// The stretch of its day in which a predator follows a herd at an hour (any real number; taken modulo 24); null when it follows
+/// none then.
+[[nodiscard]] const HerdPursuit* pursuit_at(const DailyPlan& plan, double hour);
+
 /// Where a herd is.
 struct HerdState {
   PathPoint at;       ///< cell coordinates
@@ -68,8 +80,10 @@ inline constexpr std::size_t most_plans = 1500;
                                                           std::uint64_t seed, std::size_t most = most_plans);
 
 /// Plans of herds (paper algorithm 3): mandatory resources first, capacities, stays from needs and quantities, active hours;
-/// predators follow herds of a level below that they can reach (those that live on plants for more than half plan like grazers)
-/// and do not lose from sight, within 500 m, while they are active. One plan a herd, levels in order, for the herds of
+/// predators follow herds of levels below that they can reach (those that live on plants for more than half plan like grazers):
+/// from their resting place they go from herd to herd while they are active, drawn by eq. 2 with the herd's place at that hour,
+/// stay within sight (500 m) of each for a while, drink, rest between their active hours where they are, and come back. Who has
+/// but one herd in its region keeps to it whenever it is active. One plan a herd, levels in order, for the herds of
 /// planned_herds. All of a way lies in its herd's confinement region. A walk never is faster than the species walks on that slope
 /// (predators that fell behind trot, half as fast again), and is on the trails (may be null) where one leads along. Deterministic
 /// in `seed`; a herd's draws depend on its species, region and number there. Herds that graze call at each waypoint of their

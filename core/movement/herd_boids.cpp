@@ -118,12 +118,12 @@ void push_apart(const HerdCast& cast, Place origin, std::vector<BoidState>& stat
 }
 
 BoidRun::BoidRun(std::shared_ptr<const HerdCast> cast, std::vector<std::shared_ptr<const HerdCast>> predators,
-                 std::shared_ptr<const HerdCast> followed, int checkpoint)
+                 std::vector<std::shared_ptr<const HerdCast>> followed, int checkpoint)
     : cast_(std::move(cast)),
-      kept_(std::move(predators)),
+      predators_(std::move(predators)),
+      followed_(std::move(followed)),
       start_(checkpoint * checkpoint_seconds),
-      guides_(*cast_, pointers(kept_), followed.get(), start_, start_ + run_seconds, 1) {
-  kept_.push_back(std::move(followed));
+      guides_(*cast_, pointers(predators_), pointers(followed_), start_, start_ + run_seconds, 1) {
   step_ = step_of(guides_.pace(start_, start_ + run_seconds));
   guides_.at(start_, guides_now_);
   origin_ = guides_.moment(start_).at;
@@ -145,7 +145,7 @@ BoidRun::BoidRun(std::shared_ptr<const HerdCast> cast, std::vector<std::shared_p
 
 std::vector<int> BoidRun::predators() const {
   std::vector<int> plans;
-  for (std::size_t i = 0; i + 1 < kept_.size(); ++i) plans.push_back(kept_[i]->plan_number);
+  for (const auto& predator : predators_) plans.push_back(predator->plan_number);
   return plans;
 }
 

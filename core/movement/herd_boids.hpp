@@ -52,7 +52,7 @@ class BoidRun {
  public:
   /// `predators` and `followed` as in HerdGuides; they are kept alive.
   BoidRun(std::shared_ptr<const HerdCast> cast, std::vector<std::shared_ptr<const HerdCast>> predators,
-          std::shared_ptr<const HerdCast> followed, int checkpoint);
+          std::vector<std::shared_ptr<const HerdCast>> followed, int checkpoint);
 
   /// States at `since` seconds after the checkpoint (0 .. run_seconds), between the steps by interpolation.
   void at(double since, std::vector<BoidState>& states);
@@ -83,7 +83,8 @@ class BoidRun {
   [[nodiscard]] BoidState moved(const Sight& sight, const Around& around, double size) const;
 
   std::shared_ptr<const HerdCast> cast_;
-  std::vector<std::shared_ptr<const HerdCast>> kept_;
+  std::vector<std::shared_ptr<const HerdCast>> predators_;
+  std::vector<std::shared_ptr<const HerdCast>> followed_;
   double start_;
   HerdGuides guides_;
   double step_;

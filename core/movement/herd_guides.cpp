@@ -30,12 +30,29 @@ std::vector<HerdTrack> tracks_of(const std::vector<const HerdCast*>& casts, doub
   return tracks;
 }
 
+/// A pack turns to a herd, and from it, within so many seconds. Our choice.
+constexpr double turning_seconds = 120;
+
+/// How much a pack has turned to the herd it follows: 0 when it comes to it or goes on, so that it may then turn to another.
+double attention(const DailyPlan& plan, double seconds) {
+  const HerdPursuit* pursuit = pursuit_at(plan, seconds / 3600);
+  if (pursuit == nullptr) return 0;
+  const double length = (double(pursuit->until) - double(pursuit->from)) * 3600;
+  const double since = seconds - double(pursuit->from) * 3600;
+  const double in_stretch = since - day_seconds * std::floor(since / day_seconds);
+  return smooth_step(0, turning_seconds, in_stretch) * smooth_step(0, turning_seconds, length - in_stretch);
+}
+
+int followed_at(const DailyPlan& plan, double seconds) {
+  const HerdPursuit* pursuit = pursuit_at(plan, seconds / 3600);
+  return pursuit == nullptr ? -1 : pursuit->plan;
+}
+
 /// Metres ahead along the straight line to the followed herd that a rush at its height comes.
-Place rush_way(const HerdCast& predators, const HerdCast* followed, Place from, Place herd) {
-  if (!followed) return {};
+Place rush_way(const HerdCast& predators, const HerdCast& followed, Place from, Place herd) {
   const Place way = herd - from;
   const double reach =
-      std::max(0.0, length(way) - herd_radius(followed->body_length, int(followed->members.size())) - nearest_rush);
+      std::max(0.0, length(way) - herd_radius(followed.body_length, int(followed.members.size())) - nearest_rush);
   const Place goal = from + unit_of(way) * reach;
   return predators.nearest_passable(from, goal) - from;
 }
@@ -50,7 +67,7 @@ double longest_lead(const HerdCast& cast) {
 }  // namespace
 
 double rush_share(const HerdCast& predators, const HerdMoment& moment, double seconds) {
-  if (predators.plan().followed < 0) return 0;
+  if (predators.plan().pursuits.empty()) return 0;
   const double phase = rush_period * random_unit({predators.seed, 0x4a5e});
   const double shifted = seconds + phase - day_seconds * std::floor((seconds + phase) / day_seconds);
   const auto number = std::uint64_t(shifted / rush_period);
@@ -60,17 +77,31 @@ double rush_share(const HerdCast& predators, const HerdMoment& moment, double se
   const double begin =
       stalk_share * smooth_step(0, stalk_seconds, since) + (1 - stalk_share) * smooth_step(stalk_seconds, caught_up, since);
   const double end = smooth_step(caught_up + chase_seconds, caught_up + chase_seconds + return_seconds, since);
-  return (begin - end) * moment.hunting * (1 - moment.march);
+  if (begin <= end) return 0;
+  return (begin - end) * moment.hunting * (1 - moment.march) * attention(predators.plan(), seconds);
 }
 
-HerdGuides::HerdGuides(const HerdCast& cast, std::vector<const HerdCast*> predators, const HerdCast* followed, double from,
-                       double until, double step)
+std::vector<int> followed_between(const DailyPlan& plan, double from, double until) {
+  std::vector<int> plans;
+  for (const HerdPursuit& pursuit : plan.pursuits) {
+    const double begin = double(pursuit.from) * 3600;
+    const double end = double(pursuit.until) * 3600;
+    const auto after = [](double seconds) { return seconds - day_seconds * std::floor(seconds / day_seconds); };
+    if (after(from - begin) <= end - begin || after(begin - from) <= until - from) plans.push_back(pursuit.plan);
+  }
+  std::sort(plans.begin(), plans.end());
+  plans.erase(std::unique(plans.begin(), plans.end()), plans.end());
+  return plans;
+}
+
+HerdGuides::HerdGuides(const HerdCast& cast, std::vector<const HerdCast*> predators, std::vector<const HerdCast*> followed,
+                       double from, double until, double step)
     : cast_(cast),
       track_(cast, from - longest_lead(cast) - step, until + longest_lead(cast) + step, step),
       predators_(std::move(predators)),
       predator_tracks_(tracks_of(predators_, from, until, step)),
-      followed_(followed) {
-  if (followed_) followed_track_.emplace_back(*followed_, from, until, step);
+      followed_(std::move(followed)),
+      followed_tracks_(tracks_of(followed_, from, until, step)) {
   hops_.resize(cast_.members.size());
 }
 
@@ -80,8 +111,9 @@ struct HerdGuides::Situation {
   std::vector<HerdThreat> threats;
   double rush = 0;
   Place rush_offset;
-  /// Middle of the herd that is followed.
+  /// Middle of the herd that is followed, and how much the pack has turned to it.
   Place quarry;
+  double attention = 0;
 };
 
 const HerdGuides::Hop& HerdGuides::hop(std::size_t member, std::int64_t number) {
@@ -103,19 +135,22 @@ const HerdGuides::Hop& HerdGuides::hop(std::size_t member, std::int64_t number) 
 void HerdGuides::at(double seconds, std::vector<HerdGuide>& guides) {
   Situation situation;
   situation.herd = track_.at(seconds);
-  if (followed_) {
-    situation.quarry = followed_track_.front().at(seconds).at;
+  const int followed = followed_at(cast_.plan(), seconds);
+  for (std::size_t i = 0; i < followed_.size(); ++i) {
+    if (followed_[i]->plan_number != followed) continue;
+    situation.quarry = followed_tracks_[i].at(seconds).at;
+    situation.attention = attention(cast_.plan(), seconds);
     situation.rush = rush_share(cast_, situation.herd, seconds);
     if (situation.rush > 0)
-      situation.rush_offset = rush_way(cast_, followed_, situation.herd.at, situation.quarry) * situation.rush;
+      situation.rush_offset = rush_way(cast_, *followed_[i], situation.herd.at, situation.quarry) * situation.rush;
   }
   for (std::size_t i = 0; i < predators_.size(); ++i) {
     const HerdCast& pack = *predators_[i];
     const HerdMoment moment = predator_tracks_[i].at(seconds);
     HerdThreat threat{moment.at, 0};
-    if (pack.plan().followed == cast_.plan_number) {
+    if (followed_at(pack.plan(), seconds) == cast_.plan_number) {
       threat.rush = rush_share(pack, moment, seconds);
-      if (threat.rush > 0) threat.at = threat.at + rush_way(pack, &cast_, moment.at, situation.herd.at) * threat.rush;
+      if (threat.rush > 0) threat.at = threat.at + rush_way(pack, cast_, moment.at, situation.herd.at) * threat.rush;
     }
     situation.threats.push_back(threat);
   }
@@ -146,8 +181,8 @@ Place HerdGuides::facing(std::size_t member, const HerdMoment& moment, double tu
   Place facing{moment.ahead.x * std::cos(turn) + moment.ahead.y * std::sin(turn),
                moment.ahead.y * std::cos(turn) - moment.ahead.x * std::sin(turn)};
   facing = facing * (1 - moment.drinking) + stop.toward_water[member] * (2 * moment.drinking);
-  if (followed_ && moment.hunting > 0)
-    facing = facing * (1 - 0.8 * moment.hunting) + unit_of(situation.quarry - at) * moment.hunting;
+  const double hunting = moment.hunting * situation.attention;
+  if (hunting > 0) facing = facing * (1 - 0.8 * hunting) + unit_of(situation.quarry - at) * hunting;
   return unit_of(facing * (1 - moment.march) + moment.ahead * moment.march, moment.ahead);
 }
 
@@ -220,7 +255,7 @@ HerdPace HerdGuides::pace(double from, double until) const {
     if (rush_share(cast_, track_.at(seconds), seconds) > 0) return HerdPace::running;
     for (std::size_t i = 0; i < predators_.size(); ++i) {
       const HerdMoment moment = predator_tracks_[i].at(seconds);
-      if (predators_[i]->plan().followed == cast_.plan_number && rush_share(*predators_[i], moment, seconds) > 0)
+      if (followed_at(predators_[i]->plan(), seconds) == cast_.plan_number && rush_share(*predators_[i], moment, seconds) > 0)
         return HerdPace::running;
       if (length(moment.at - track_.at(seconds).at) < 2 * alert_distance) pace = HerdPace::walking;
     }
@@ -229,8 +264,9 @@ HerdPace HerdGuides::pace(double from, double until) const {
 }
 
 std::size_t HerdGuides::bytes() const {
-  std::size_t sum = track_.bytes() + hops_.capacity() * sizeof(Hop) + predators_.capacity() * sizeof(HerdCast*);
-  for (const auto* tracks : {&predator_tracks_, &followed_track_}) {
+  std::size_t sum =
+      track_.bytes() + hops_.capacity() * sizeof(Hop) + (predators_.capacity() + followed_.capacity()) * sizeof(HerdCast*);
+  for (const auto* tracks : {&predator_tracks_, &followed_tracks_}) {
     for (const HerdTrack& track : *tracks) sum += sizeof(HerdTrack) + track.bytes();
   }
   return sum;

@@ -25,9 +25,12 @@ struct HerdGuide {
 inline constexpr double fright_distance = 55;
 inline constexpr double alert_distance = 110;
 
-/// How far a herd of predators has come from its plan's place toward the herd it follows, 0..1: now and then, while it hunts, it
-/// stalks up to the herd, chases it for some seconds and falls back.
+/// How far a herd of predators has come from its plan's place toward the herd it follows then, 0..1: now and then, while it
+/// hunts, it stalks up to the herd, chases it for some seconds and falls back.
 [[nodiscard]] double rush_share(const HerdCast& predators, const HerdMoment& moment, double seconds);
+
+/// Plans of the herds that a predator follows at any time of a stretch (seconds; a plan goes on from day to day), ascending.
+[[nodiscard]] std::vector<int> followed_between(const DailyPlan& plan, double from, double until);
 
 /// A predator pack that a herd can notice.
 struct HerdThreat {
@@ -41,9 +44,10 @@ enum class HerdPace : std::uint8_t { resting, walking, running };
 /// What the guides of a herd are computed from, over a stretch of time. Keep `cast` alive.
 class HerdGuides {
  public:
-  /// `predators`: those within sight at any time of the stretch, none null; `followed` may be null.
-  HerdGuides(const HerdCast& cast, std::vector<const HerdCast*> predators, const HerdCast* followed, double from, double until,
-             double step);
+  /// `predators`: those within sight at any time of the stretch; `followed`: the herds that this one follows in it
+  /// (followed_between); none null.
+  HerdGuides(const HerdCast& cast, std::vector<const HerdCast*> predators, std::vector<const HerdCast*> followed, double from,
+             double until, double step);
 
   /// One guide a member.
   void at(double seconds, std::vector<HerdGuide>& guides);
@@ -75,8 +79,8 @@ class HerdGuides {
   HerdTrack track_;
   std::vector<const HerdCast*> predators_;
   std::vector<HerdTrack> predator_tracks_;
-  const HerdCast* followed_;
-  std::vector<HerdTrack> followed_track_;
+  std::vector<const HerdCast*> followed_;
+  std::vector<HerdTrack> followed_tracks_;
   /// The last hop of each member, to be drawn but once.
   std::vector<Hop> hops_;
 };

@@ -45,7 +45,7 @@ HerdSimulation& HerdSimulation::operator=(HerdSimulation&&) noexcept = default;
 
 double herd_reach(const HerdWorld& world, const DailyPlan& plan) {
   const double body = double(world.traits(plan).shape.body_length);
-  return body * (6 + 2.0 * std::sqrt(double(plan.size)) + 0.8 * double(plan.size)) + (plan.followed >= 0 ? 260 : 60);
+  return body * (6 + 2.0 * std::sqrt(double(plan.size)) + 0.8 * double(plan.size)) + (plan.pursuits.empty() ? 60 : 260);
 }
 
 std::shared_ptr<HerdCast> HerdSimulation::cast(int plan) {
@@ -88,8 +88,12 @@ void HerdSimulation::prepare(std::span<const HerdRequest> herds, double seconds)
         others[i].insert(others[i].end(), near.begin(), near.end());
       }
     }
-    const int followed = (*world_->plans)[std::size_t(plan)].followed;
-    if (followed >= 0) others[i].push_back(followed);
+    // Whoever is followed in the runs, or a moment before.
+    constexpr double rounding = 1;
+    const double before = (checkpoint_of(seconds) - 1) * checkpoint_seconds - rounding;
+    const double after = checkpoint_of(seconds) * checkpoint_seconds + run_seconds + rounding;
+    const std::vector<int> followed = followed_between((*world_->plans)[std::size_t(plan)], before, after);
+    others[i].insert(others[i].end(), followed.begin(), followed.end());
     wanted.insert(wanted.end(), others[i].begin(), others[i].end());
   }
   std::sort(wanted.begin(), wanted.end());
@@ -111,17 +115,20 @@ BoidRun& HerdSimulation::run(Slot& slot, int checkpoint) {
       assert(found != slot.others.end());
       near.push_back(found->second);
     }
-    const int followed = slot.cast->plan().followed;
-    run = std::make_unique<BoidRun>(slot.cast, std::move(near), followed >= 0 ? slot.others.at(followed) : nullptr, number);
+    std::vector<std::shared_ptr<const HerdCast>> followed;
+    for (const int herd : followed_between(slot.cast->plan(), start, start + run_seconds))
+      followed.push_back(slot.others.at(herd));
+    run = std::make_unique<BoidRun>(slot.cast, std::move(near), std::move(followed), number);
   }
   return *run;
 }
 
 std::vector<HerdAnimal> HerdSimulation::by_formula(const Slot& slot, double seconds) const {
   const HerdCast& cast = *slot.cast;
-  const int followed = cast.plan().followed;
   constexpr double apart = 1;
-  HerdGuides guides(cast, {}, followed >= 0 ? slot.others.at(followed).get() : nullptr, seconds - apart, seconds, coarse_step);
+  std::vector<const HerdCast*> followed;
+  for (const int herd : followed_between(cast.plan(), seconds - apart, seconds)) followed.push_back(slot.others.at(herd).get());
+  HerdGuides guides(cast, {}, std::move(followed), seconds - apart, seconds, coarse_step);
   std::vector<HerdGuide> before;
   std::vector<HerdGuide> now;
   guides.at(seconds - apart, before);

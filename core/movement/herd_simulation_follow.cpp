@@ -22,7 +22,7 @@ bool same_plan(const DailyPlan& a, const DailyPlan& b) {
   const auto same_point = [](const DailyPlan::Waypoint& s, const DailyPlan::Waypoint& t) {
     return s.hour == t.hour && s.at.x == t.at.x && s.at.y == t.at.y;
   };
-  return a.level == b.level && a.herd == b.herd && a.species == b.species && a.size == b.size && a.followed == b.followed &&
+  return a.level == b.level && a.herd == b.herd && a.species == b.species && a.size == b.size && a.pursuits == b.pursuits &&
          std::equal(a.stops.begin(), a.stops.end(), b.stops.begin(), b.stops.end(), same_stop) &&
          std::equal(a.active.begin(), a.active.end(), b.active.begin(), b.active.end(), same_span) &&
          std::equal(a.way.begin(), a.way.end(), b.way.begin(), b.way.end(), same_point);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 
 #include "core/movement/daily_plan.hpp"
 
@@ -42,6 +43,16 @@ HerdActivity activity_at(const DailyPlan& plan, const GraphLevel& graph, double 
 }
 
 }  // namespace
+
+const HerdPursuit* pursuit_at(const DailyPlan& plan, double hour) {
+  if (plan.pursuits.empty() || plan.way.empty()) return nullptr;
+  const double at = hour_within_day(hour, double(plan.way.front().hour));
+  const auto after = std::upper_bound(plan.pursuits.begin(), plan.pursuits.end(), at,
+                                      [](double h, const HerdPursuit& pursuit) { return h < double(pursuit.from); });
+  if (after == plan.pursuits.begin()) return nullptr;
+  const HerdPursuit& pursuit = *std::prev(after);
+  return at <= double(pursuit.until) ? &pursuit : nullptr;
+}
 
 HerdState herd_state(const DailyPlan& plan, const GraphLevel& graph, double hour, double cell_size) {
   HerdState state;

@@ -7,20 +7,13 @@
 namespace biotope {
 namespace {
 
-/// A predator keeps this far behind its herd, m, and comes this near when it drinks beside it. Our choice.
-constexpr double nearest_gap = 120;
-constexpr double widest_gap = 260;
+/// It comes this near to its herd when it drinks beside it, m. Our choice.
 constexpr double drinking_gap = 40;
-/// Waits shorter than this are part of the walk; longer ones than the second are stops, h.
-constexpr double short_wait = 1.0 / 60;
+/// Waits longer than this are stops, h.
 constexpr double stop_wait = 10.0 / 60;
-/// Time to drink where the herd has drunk before, h, and how much longer than needed it gives itself to catch up. Our choice.
-constexpr double drink = 0.25;
+/// How much longer than needed it gives itself to catch up. Our choice.
 constexpr double spare = 0.1;
-/// Who falls behind trots: as much faster than it walks. Our choice; wolves travel at some 8 km/h and walk at 5.
-constexpr double trot = 1.5;
-/// A herd is lost from sight beyond this, m, and its places are compared so often, h. Our choice.
-constexpr double sight = 480;
+/// Its place and the herd's are compared so often, h. Our choice.
 constexpr double sight_step = 0.01;
 
 /// Writes a predator's day along a track.
@@ -33,7 +26,7 @@ class Follower {
     speed_ = double(animal.speed);
     visits_ = animal.water_visits;
     latest_ = track.hour.front() + 24 - spare;
-    plan_ = {input.level.level, herd, pack.species, pack.size, followed.plan, {}, active_hours(animal.activity), {}};
+    plan_ = {input.level.level, herd, pack.species, pack.size, {}, {}, active_hours(animal.activity), {}};
     const double unit = random_unit({input.keys[std::size_t(herd)], 21});
     gap_ = std::min(nearest_gap + (widest_gap - nearest_gap) * unit, track.length() / 4);
   }
@@ -233,27 +226,29 @@ class Follower {
   HerdCourse course_;
 };
 
-/// A place in sight of a herd that stays at home all day.
+/// Waits for a herd that stays at home all day.
 std::optional<std::pair<DailyPlan, HerdCourse>> lie_in_wait(const PlanInput& input, int herd, const FollowedHerd& followed,
                                                             const FineGround& ground) {
   DailyPlan plan = stand_still(input, herd);
   const PathPoint home = followed.day->way.front().at;
   if (!ground.passable(home)) return std::nullopt;
-  PathPoint at = home;
-  constexpr std::uint64_t tries = 64;
-  for (std::uint64_t i = 0; i < tries; ++i) {
-    const auto unit = [&](std::uint64_t what) { return random_unit({input.keys[std::size_t(herd)], i, what}); };
-    const double angle = 2 * 3.14159265358979 * unit(31);
-    const double cells = (nearest_gap + (widest_gap - nearest_gap) * unit(32)) / ground.cell_size();
-    const PathPoint place{home.x + float(cells * std::cos(angle)), home.y + float(cells * std::sin(angle))};
-    if (!ground.clear(home, place)) continue;
-    at = place;
-    break;
-  }
+  const PathPoint at = place_in_sight(input, herd, home, ground);
   for (auto& waypoint : plan.way) waypoint.at = at;
-  plan.followed = followed.plan;
   plan.stops = {{followed.prey_node, plan.way.front().hour, plan.way.back().hour}};
   return std::pair{std::move(plan), HerdCourse{}};
+}
+
+/// It keeps to one herd whenever it is active.
+void pursue_all_day(DailyPlan& plan, int followed) {
+  const auto push = [&](float from, float until) {
+    if (from < until) plan.pursuits.push_back({from, until, followed});
+  };
+  const float begin = plan.way.front().hour;
+  // The hours of the plan begin with its way, which may be later than the first hour of the day at which it is active.
+  for (const float day : {-24.0F, 0.0F, 24.0F}) {
+    for (const DailyPlan::Span& span : plan.active)
+      push(std::max(span.from + day, begin), std::min(span.until + day, begin + 24));
+  }
 }
 
 /// Farthest that a predator is from its herd while it is active, m.
@@ -271,15 +266,31 @@ double farthest_while_active(const PlanInput& input, const DailyPlan& plan, cons
 
 }  // namespace
 
+PathPoint place_in_sight(const PlanInput& input, int herd, PathPoint home, const FineGround& ground) {
+  constexpr std::uint64_t tries = 64;
+  for (std::uint64_t i = 0; i < tries; ++i) {
+    const auto unit = [&](std::uint64_t what) { return random_unit({input.keys[std::size_t(herd)], i, what}); };
+    const double angle = 2 * 3.14159265358979 * unit(31);
+    const double cells = (nearest_gap + (widest_gap - nearest_gap) * unit(32)) / ground.cell_size();
+    const PathPoint place{home.x + float(cells * std::cos(angle)), home.y + float(cells * std::sin(angle))};
+    if (ground.clear(home, place)) return place;
+  }
+  return home;
+}
+
 std::optional<std::pair<DailyPlan, HerdCourse>> follow_herd(const PlanInput& input, int herd, const FollowedHerd& followed,
                                                             const FineGround& ground) {
-  if (followed.course->empty()) return lie_in_wait(input, herd, followed, ground);
-  const LevelTravel& travel = *input.movement.travel;
-  const int species = species_index_of(input.level, input.level.herds[std::size_t(herd)]);
-  const FollowedTrack track = track_of(input, travel.graph_of_species[std::size_t(species)], followed, ground);
-  if (track.points.size() < 2 || track.length() <= 0) return std::nullopt;
-  auto day = Follower(input, herd, followed, ground, track).write();
-  if (day && farthest_while_active(input, day->first, followed, ground.cell_size()) > sight) return std::nullopt;
+  std::optional<std::pair<DailyPlan, HerdCourse>> day;
+  if (followed.course->empty()) {
+    day = lie_in_wait(input, herd, followed, ground);
+  } else {
+    const int species = species_index_of(input.level, input.level.herds[std::size_t(herd)]);
+    const FollowedTrack track = track_of(input, input.movement.travel->graph_of_species[std::size_t(species)], followed, ground);
+    if (track.points.size() < 2 || track.length() <= 0) return std::nullopt;
+    day = Follower(input, herd, followed, ground, track).write();
+  }
+  if (!day || farthest_while_active(input, day->first, followed, ground.cell_size()) > sight) return std::nullopt;
+  pursue_all_day(day->first, followed.plan);
   return day;
 }
 

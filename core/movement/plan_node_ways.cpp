@@ -37,32 +37,45 @@ struct OnTrail {
 /// places where that costs no more, and around obstacles.
 class WayDrawer {
  public:
-  WayDrawer(const FineGround& ground, const TravelGraph& graph, const TrailNetwork* trails)
-      : ground_(ground), graph_(graph), trails_(trails) {}
+  /// `mends`: a trail that cannot be reached closely is left out, before all of the way is searched.
+  WayDrawer(const FineGround& ground, const TravelGraph& graph, const TrailNetwork* trails, bool mends = false)
+      : ground_(ground), graph_(graph), trails_(trails), mends_(mends) {}
 
   [[nodiscard]] NodeWay draw(std::span<const std::uint32_t> vertices, PathCell from, PathCell to) {
-    points_.assign(1, point_of(from));
-    fixed_.assign(1, 0);
-    std::vector<PathPoint> places{point_of(from)};
-    std::size_t edge = 0;
-    for (const OnTrail& trail : trails_along(vertices, from, to)) {
-      for (std::size_t v = std::max<std::size_t>(edge, 1); v < trail.first_edge; ++v)
-        places.push_back(point_of(place_of(graph_, vertices[v])));
-      places.push_back((*trail.points)[std::size_t(trail.first)]);
-      if (!append_places(places)) return whole(vertices, from, to);
-      append_trail(trail);
-      places.assign(1, points_.back());
-      edge = trail.last_edge + 1;
+    std::vector<OnTrail> trails = trails_along(vertices, from, to);
+    while (const auto gap = go(vertices, trails, from, to)) {
+      if (!mends_ || *gap >= trails.size()) return whole(vertices, from, to);
+      trails.erase(trails.begin() + std::ptrdiff_t(*gap));
     }
-    for (std::size_t v = std::max<std::size_t>(edge, 1); v + 1 < vertices.size(); ++v)
-      places.push_back(point_of(place_of(graph_, vertices[v])));
-    places.push_back(point_of(to));
-    if (!append_places(places)) return whole(vertices, from, to);
     round_path(ground_, fixed_, points_);
     return costed(std::move(points_));
   }
 
  private:
+  /// Goes by trails and places. Where two places do not connect closely: the number of the trail that one of them lies on, or how
+  /// many there are when neither does.
+  [[nodiscard]] std::optional<std::size_t> go(std::span<const std::uint32_t> vertices, std::span<const OnTrail> trails,
+                                              PathCell from, PathCell to) {
+    points_.assign(1, point_of(from));
+    fixed_.assign(1, 0);
+    std::vector<PathPoint> places{point_of(from)};
+    std::size_t edge = 0;
+    for (std::size_t i = 0; i <= trails.size(); ++i) {
+      const bool last = i == trails.size();
+      const std::size_t until = last ? vertices.size() - 1 : trails[i].first_edge;
+      for (std::size_t v = std::max<std::size_t>(edge, 1); v < until; ++v)
+        places.push_back(point_of(place_of(graph_, vertices[v])));
+      places.push_back(last ? point_of(to) : (*trails[i].points)[std::size_t(trails[i].first)]);
+      const std::size_t reached = append_places(places);
+      if (reached + 1 < places.size()) return reached == 0 && i > 0 ? i - 1 : reached + 2 == places.size() ? i : trails.size();
+      if (last) return std::nullopt;
+      append_trail(trails[i]);
+      places.assign(1, points_.back());
+      edge = trails[i].last_edge + 1;
+    }
+    return std::nullopt;
+  }
+
   /// Runs of edges that follow one trail, in order, where the mobility can walk all of it.
   [[nodiscard]] std::vector<OnTrail> trails_along(std::span<const std::uint32_t> vertices, PathCell from, PathCell to) const {
     std::vector<OnTrail> runs;
@@ -124,9 +137,11 @@ class WayDrawer {
     }
   }
 
-  /// Goes by places from where the way has come to; false when two of them do not connect closely.
-  bool append_places(const std::vector<PathPoint>& places) {
-    for (std::size_t at = 0; at + 1 < places.size();) {
+  /// Goes by places from where the way has come to; the number of the last one, or of the first that does not connect closely
+  /// with the next.
+  std::size_t append_places(const std::vector<PathPoint>& places) {
+    std::size_t at = 0;
+    while (at + 1 < places.size()) {
       const std::size_t next = farthest(places, at);
       if (next > at) {
         append_line(places[at], places[next]);
@@ -135,12 +150,12 @@ class WayDrawer {
       }
       const std::array over{cell_at(places[at]), cell_at(places[at + 1])};
       const auto around = fine_path(ground_, over, over[0], over[1]);
-      if (around.empty()) return false;
+      if (around.empty()) return at;
       for (const PathCell& cell : around) append(point_of(cell), false);
       append(places[at + 1], false);
       ++at;
     }
-    return true;
+    return at;
   }
 
   /// Place that a straight line reaches from place `at`; `at` itself when not even the next one.
@@ -186,19 +201,19 @@ class WayDrawer {
   const FineGround& ground_;
   const TravelGraph& graph_;
   const TrailNetwork* trails_;
+  bool mends_;
   std::vector<PathPoint> points_;
   std::vector<std::uint8_t> fixed_;
 };
 
-/// Costs by which ways are chosen: on worn ground where there are trails.
+}  // namespace
+
 std::span<const float> way_costs(const PlanInput& input, int graph) {
   const LevelTravel& travel = *input.movement.travel;
   const TravelGraph* own = travel.graphs[std::size_t(graph)].get();
   const TrailWays::WornGraph* worn = input.trails && input.trails->ways ? input.trails->ways->find(own) : nullptr;
   return worn ? std::span<const float>(worn->cost) : travel.cost(std::size_t(graph));
 }
-
-}  // namespace
 
 std::optional<PathCell> standing_cell(const TravelGraph& graph, const ResourceNode& node) {
   const auto& cells = graph.vertex_of_cell;
@@ -230,30 +245,45 @@ void NodeWays::find() {
   for (std::size_t g = 0; g < input_.movement.travel->graphs.size(); ++g) grounds.push_back(fine_ground(input_, int(g)));
   std::vector<std::pair<const std::pair<int, int>, std::map<int, NodeWay>>*> groups;
   for (auto& group : ways_) groups.push_back(&group);
-  parallel_each(groups.size(), [&](std::size_t i) {
-    const auto [number, from] = groups[i]->first;
-    const TravelGraph& graph = *input_.movement.travel->graphs[std::size_t(number)];
-    const auto& nodes = input_.level.graph->nodes;
-    const auto start = standing_cell(graph, nodes[std::size_t(from)]);
-    if (!start) return;
-    std::vector<std::uint16_t> goals(graph.vertices.size(), 0);
-    std::uint32_t wanted = 0;
-    std::map<int, PathCell> ends;
-    for (const auto& [to, way] : groups[i]->second) {
-      const auto end = standing_cell(graph, nodes[std::size_t(to)]);
-      if (!end) continue;
-      ends[to] = *end;
-      ++goals[std::size_t(graph.vertex_of_cell(end->x, end->y))];
-      ++wanted;
-    }
-    TravelSearch search(graph, way_costs(input_, number));
-    search.run(std::uint32_t(graph.vertex_of_cell(start->x, start->y)), goals, wanted);
-    WayDrawer drawer(grounds[std::size_t(number)], graph, input_.trails);
-    for (const auto& [to, end] : ends) {
-      const auto vertices = travel_path(search, std::uint32_t(graph.vertex_of_cell(end.x, end.y)));
-      if (!vertices.empty()) groups[i]->second.at(to) = drawer.draw(vertices, *start, end);
-    }
+  // A search is made ready once for several groups of one graph.
+  constexpr std::size_t together = 8;
+  std::vector<std::pair<std::size_t, std::size_t>> batches;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const bool more = !batches.empty() && i - batches.back().first < together &&
+                      groups[batches.back().first]->first.first == groups[i]->first.first;
+    if (!more) batches.emplace_back(i, i);
+    batches.back().second = i + 1;
+  }
+  parallel_each(batches.size(), [&](std::size_t batch) {
+    const int number = groups[batches[batch].first]->first.first;
+    TravelSearch search(*input_.movement.travel->graphs[std::size_t(number)], way_costs(input_, number));
+    for (std::size_t i = batches[batch].first; i < batches[batch].second; ++i)
+      find_from(groups[i]->first.second, grounds[std::size_t(number)], number, search, groups[i]->second);
   });
+}
+
+void NodeWays::find_from(int from, const FineGround& ground, int number, TravelSearch& search,
+                         std::map<int, NodeWay>& found) const {
+  const TravelGraph& graph = *input_.movement.travel->graphs[std::size_t(number)];
+  const auto& nodes = input_.level.graph->nodes;
+  const auto start = standing_cell(graph, nodes[std::size_t(from)]);
+  if (!start) return;
+  std::vector<std::uint16_t> goals(graph.vertices.size(), 0);
+  std::uint32_t wanted = 0;
+  std::map<int, PathCell> ends;
+  for (const auto& [to, way] : found) {
+    const auto end = standing_cell(graph, nodes[std::size_t(to)]);
+    if (!end) continue;
+    ends[to] = *end;
+    ++goals[std::size_t(graph.vertex_of_cell(end->x, end->y))];
+    ++wanted;
+  }
+  search.run(std::uint32_t(graph.vertex_of_cell(start->x, start->y)), goals, wanted);
+  WayDrawer drawer(ground, graph, input_.trails);
+  for (const auto& [to, end] : ends) {
+    const auto vertices = travel_path(search, std::uint32_t(graph.vertex_of_cell(end.x, end.y)));
+    if (!vertices.empty()) found.at(to) = drawer.draw(vertices, *start, end);
+  }
 }
 
 const NodeWay* NodeWays::get(int graph, int from, int to) const {
@@ -273,7 +303,13 @@ NodeWay way_between(const PlanInput& input, int number, const FineGround& ground
   TravelSearch search(graph, way_costs(input, number));
   search.run(std::uint32_t(cells(from.x, from.y)), goals, 1);
   const auto vertices = travel_path(search, goal);
-  return vertices.empty() ? NodeWay{} : WayDrawer(ground, graph, input.trails).draw(vertices, from, to);
+  return vertices.empty() ? NodeWay{} : way_over(input, number, ground, vertices, from, to);
+}
+
+NodeWay way_over(const PlanInput& input, int number, const FineGround& ground, std::span<const std::uint32_t> vertices,
+                 PathCell from, PathCell to) {
+  const TravelGraph& graph = *input.movement.travel->graphs[std::size_t(number)];
+  return WayDrawer(ground, graph, input.trails, true).draw(vertices, from, to);
 }
 
 }  // namespace biotope

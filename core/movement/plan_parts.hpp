@@ -12,6 +12,8 @@
 
 namespace biotope {
 
+class TravelSearch;
+
 /// A planned stay: how long, and the hour before which the herd does not go on (it rests through the middle of the day).
 struct PlannedStay {
   int node = 0;
@@ -82,10 +84,20 @@ class NodeWays {
   [[nodiscard]] const NodeWay* get(int graph, int from, int to) const;
 
  private:
+  void find_from(int from, const FineGround& ground, int graph, TravelSearch& search, std::map<int, NodeWay>& found) const;
+
   PlanInput input_;
   /// By graph and node of departure: ways by node of arrival.
   std::map<std::pair<int, int>, std::map<int, NodeWay>> ways_;
 };
+
+/// Costs of a travel graph of the level by which ways are chosen: on worn ground where there are trails.
+[[nodiscard]] std::span<const float> way_costs(const PlanInput& input, int graph);
+
+/// The way over vertices of a travel graph (at least one) that a search by way_costs found, between passable cells of the first
+/// and the last; empty when there is none.
+[[nodiscard]] NodeWay way_over(const PlanInput& input, int graph, const FineGround& ground,
+                               std::span<const std::uint32_t> vertices, PathCell from, PathCell to);
 
 /// Way with costs between two passable cells of a travel graph of the level; empty when there is none.
 [[nodiscard]] NodeWay way_between(const PlanInput& input, int graph, const FineGround& ground, PathCell from, PathCell to);
@@ -115,7 +127,7 @@ struct FollowedHerd {
   int prey_node = -1;                 ///< node of the predator's level that stands for its region
 };
 
-/// A predator's day behind a herd (it walks 100 to 300 m after it, nearer at water). Nothing when the herd goes where it cannot
+/// A predator's day behind one herd (it walks 100 to 300 m after it, nearer at water). Nothing when the herd goes where it cannot
 /// follow, or would lose it from sight while it is active.
 [[nodiscard]] std::optional<std::pair<DailyPlan, HerdCourse>> follow_herd(const PlanInput& input, int herd,
                                                                           const FollowedHerd& followed, const FineGround& ground);

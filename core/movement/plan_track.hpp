@@ -7,6 +7,18 @@
 
 namespace biotope {
 
+/// A predator keeps this far behind its herd, m. Our choice.
+inline constexpr double nearest_gap = 120;
+inline constexpr double widest_gap = 260;
+/// A herd is lost from sight beyond this, m. Our choice.
+inline constexpr double sight = 480;
+/// Who falls behind trots: as much faster than it walks. Our choice; wolves travel at some 8 km/h and walk at 5.
+inline constexpr double trot = 1.5;
+/// Time a predator takes to drink, h. Our choice.
+inline constexpr double drink = 0.25;
+/// Waits shorter than this are part of the walk, h.
+inline constexpr double short_wait = 1.0 / 60;
+
 /// Walks of a day of a herd that is followed, as one line, with the hour the herd passes each point. Stays take no length: a
 /// stop's point is there twice.
 struct FollowedTrack {
@@ -57,5 +69,13 @@ struct FollowedTrack {
 
 /// The herd's track over ground that the predator, whose travel graph is `graph`, can walk; empty when there is none.
 [[nodiscard]] FollowedTrack track_of(const PlanInput& input, int graph, const FollowedHerd& followed, const FineGround& ground);
+
+/// The same of the walks that a stretch of hours (any, the herd does the same every day) touches, from at least `behind` metres
+/// before where the herd is at its begin, if it walks that far in a day. Empty also when the herd walks nowhere.
+[[nodiscard]] FollowedTrack track_between(const PlanInput& input, int graph, const FollowedHerd& followed,
+                                          const FineGround& ground, double from, double until, double behind);
+
+/// A place in sight of `home`, where a herd stays all day, drawn for a pack; `home` itself where there is none.
+[[nodiscard]] PathPoint place_in_sight(const PlanInput& input, int herd, PathPoint home, const FineGround& ground);
 
 }  // namespace biotope

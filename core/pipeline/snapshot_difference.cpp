@@ -103,7 +103,7 @@ bool same_plans(const std::vector<DailyPlan>& a, const std::vector<DailyPlan>& b
   };
   return same_lists(a, b, [&](const DailyPlan& one, const DailyPlan& other) {
     return one.level == other.level && one.herd == other.herd && one.species == other.species && one.size == other.size &&
-           one.followed == other.followed && same_lists(one.stops, other.stops, same_stop) &&
+           one.pursuits == other.pursuits && same_lists(one.stops, other.stops, same_stop) &&
            same_lists(one.way, other.way, same_point);
   });
 }

@@ -98,10 +98,11 @@ TEST_CASE("A herd's middle stays near its plan's place; predators at a rush exce
       // to the edge of the water.
       const double to_water = world->state(plan, hour * 3600).activity == HerdActivity::drinking ? 120 : 0;
       const double stated = 25 + 0.35 * 2.0 * double(plan.size) + fright_distance + to_water;
-      if (plan.followed < 0) {
+      const HerdPursuit* pursuit = pursuit_at(plan, hour);
+      if (pursuit == nullptr) {
         CHECK(length(middle - planned) < stated);
       } else {
-        const Place prey = world->place_of(world->state((*world->plans)[std::size_t(plan.followed)], hour * 3600).at);
+        const Place prey = world->place_of(world->state((*world->plans)[std::size_t(pursuit->plan)], hour * 3600).at);
         CHECK(length(middle - prey) < std::max(length(planned - prey), 60.0) + stated);
       }
     }
@@ -185,7 +186,7 @@ TEST_CASE("Herds drink at the water's edge with their heads toward it, graze wit
 TEST_CASE("A rushing pack drives its herd before it, and is never out of its sight") {
   const auto world = meadow();
   const auto& plans = *world->plans;
-  const auto pack = std::find_if(plans.begin(), plans.end(), [](const DailyPlan& plan) { return plan.followed >= 0; });
+  const auto pack = std::find_if(plans.begin(), plans.end(), [](const DailyPlan& plan) { return !plan.pursuits.empty(); });
   REQUIRE(pack != plans.end());
   const int number = int(pack - plans.begin());
   const HerdCast cast = cast_herd(world, number, {});
@@ -196,13 +197,15 @@ TEST_CASE("A rushing pack drives its herd before it, and is never out of its sig
   for (double seconds = 0; seconds < day_seconds && rushes < 3; seconds += 5) {
     if (rush_share(cast, track.at(seconds), seconds) < 0.98) continue;
     ++rushes;
+    const HerdPursuit* pursuit = pursuit_at(*pack, seconds / 3600);
+    REQUIRE(pursuit != nullptr);
     // A moment earlier the prey runs its fastest.
     for (double before = 0; before < 12; before += 2) {
-      for (const HerdAnimal& prey : simulation.animals(pack->followed, (seconds - before) / 3600))
+      for (const HerdAnimal& prey : simulation.animals(pursuit->plan, (seconds - before) / 3600))
         fastest_flight = std::max(fastest_flight, double(prey.speed));
     }
     const auto wolves = simulation.animals(number, seconds / 3600);
-    const auto herd = simulation.animals(pack->followed, seconds / 3600);
+    const auto herd = simulation.animals(pursuit->plan, seconds / 3600);
     double nearest = 1e9;
     int alarmed = 0;
     for (const HerdAnimal& prey : herd) {
@@ -217,7 +220,9 @@ TEST_CASE("A rushing pack drives its herd before it, and is never out of its sig
   CHECK(rushes > 0);
   CHECK(fastest_flight > 3.5);
   for (double hour = 0; hour < 24; hour += 1.3) {
-    const Place prey = world->place_of(world->state(plans[std::size_t(pack->followed)], hour * 3600).at);
+    const HerdPursuit* pursuit = pursuit_at(*pack, hour);
+    if (pursuit == nullptr) continue;
+    const Place prey = world->place_of(world->state(plans[std::size_t(pursuit->plan)], hour * 3600).at);
     for (const HerdAnimal& wolf : simulation.animals(number, hour)) CHECK(length(wolf.place - prey) < 420);
   }
 }

@@ -61,7 +61,7 @@ bool same(const DailyPlan& a, const DailyPlan& b) {
   const auto same_stop = [](const auto& p, const auto& q) {
     return p.node == q.node && p.arrive == q.arrive && p.leave == q.leave;
   };
-  return a.herd == b.herd && a.species == b.species && a.followed == b.followed &&
+  return a.herd == b.herd && a.species == b.species && a.pursuits == b.pursuits &&
          std::equal(a.way.begin(), a.way.end(), b.way.begin(), b.way.end(), same_point) &&
          std::equal(a.stops.begin(), a.stops.end(), b.stops.begin(), b.stops.end(), same_stop);
 }
@@ -71,7 +71,7 @@ bool same(const DailyPlan& a, const DailyPlan& b) {
 void check_is_a_day(const MovementScene& scene, const DailyPlan& plan) {
   const auto& animal = scene.web.species[std::size_t(plan.species)].animal();
   const double fastest =
-      double(animal.speed) * std::exp(0.05 * double(animal.slope_sensitivity)) * (plan.followed >= 0 ? 1.5 : 1.0);
+      double(animal.speed) * std::exp(0.05 * double(animal.slope_sensitivity)) * (plan.pursuits.empty() ? 1.0 : 1.5);
   REQUIRE(plan.way.size() >= 2);
   CHECK(plan.way.back().hour == Approx(plan.way.front().hour + 24));
   CHECK(plan.way.back().at == plan.way.front().at);
@@ -129,9 +129,11 @@ TEST_CASE("an edit changes its herd and who follows it, and no other grazer") {
   REQUIRE(before.size() == after.size());
   for (std::size_t i = 0; i < 6; ++i) CHECK(same(before[i], after[i]) == (i != 3));
   for (std::size_t i = 6; i < 8; ++i) {
-    REQUIRE(after[i].followed >= 0);
-    const DailyPlan& herd = after[std::size_t(after[i].followed)];
+    REQUIRE(!after[i].pursuits.empty());
     for (double hour = 5; hour < 9; hour += 0.25) {
+      const HerdPursuit* pursuit = pursuit_at(after[i], hour);
+      if (pursuit == nullptr) continue;
+      const DailyPlan& herd = after[std::size_t(pursuit->plan)];
       const PathPoint a = herd_state(after[i], *scene.levels[1]->graph, hour, 10).at;
       const PathPoint b = herd_state(herd, *scene.levels[0]->graph, hour, 10).at;
       CHECK(std::hypot(a.x - b.x, a.y - b.y) * 10 < 500);
@@ -248,10 +250,10 @@ TEST_CASE("an edited predator follows nobody") {
   const PlanEdit edit{"wolf", {30, 30}, 0, {{at_node(scene, 1, 1), 16, 20}, {at_node(scene, 0, 1), 21, 21.5F}}};
   const auto plans = plans_with(scene, {edit});
   CHECK(plans[6].edited);
-  CHECK(plans[6].followed == -1);
+  CHECK(plans[6].pursuits.empty());
   REQUIRE(plans[6].stops.size() == 2);
   CHECK(plans[6].stops[1].arrive == Approx(21));
-  CHECK(plans[7].followed >= 0);
+  CHECK(!plans[7].pursuits.empty());
   check_is_a_day(scene, plans[6]);
 }
 
@@ -303,7 +305,7 @@ TEST_CASE("whatever is asked, the day is one that can be walked, the same for an
     const auto plans = plans_with(scene, edits);
     for (const DailyPlan& plan : plans) {
       check_is_a_day(scene, plan);
-      CHECK((!plan.edited || plan.followed < 0));
+      CHECK((!plan.edited || plan.pursuits.empty()));
     }
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 1);
     const auto alone = plans_with(scene, edits);

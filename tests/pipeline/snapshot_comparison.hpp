@@ -145,7 +145,7 @@ class SnapshotComparison {
 
   void plan(const DailyPlan& a, const DailyPlan& b) {
     same("herds of plans",
-         a.level == b.level && a.herd == b.herd && a.species == b.species && a.size == b.size && a.followed == b.followed);
+         a.level == b.level && a.herd == b.herd && a.species == b.species && a.size == b.size && a.pursuits == b.pursuits);
     same("edits of plans",
          a.edited == b.edited && a.unreachable_stops == b.unreachable_stops && a.shifted_stops == b.shifted_stops);
     same("stops of plans",

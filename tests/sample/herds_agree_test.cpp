@@ -38,24 +38,31 @@ TEST_CASE("every herd's way lies in its confinement region, every 36 s of the da
   }
 }
 
-TEST_CASE("predators that follow a herd are within sight of it whenever they are active, and most find one to follow") {
+TEST_CASE(
+    "predators are within sight of each herd as long as they follow it; most find herds, and follow them most of their hours") {
   const auto maps = solved_valley();
   const auto world = world_of(*maps);
   int followers = 0;
   int packs = 0;
   for (const DailyPlan& plan : *world->plans) {
     packs += plan.level > 1;
-    if (plan.followed < 0) continue;
+    if (plan.pursuits.empty()) continue;
     ++followers;
-    const DailyPlan& prey = (*world->plans)[std::size_t(plan.followed)];
     double farthest = 0;
+    int hunting = 0;
+    int awake = 0;
     for (double seconds = 0; seconds < day_seconds; seconds += 36) {
-      if (!active(plan, seconds)) continue;
+      awake += active(plan, seconds);
+      const HerdPursuit* pursuit = pursuit_at(plan, seconds / 3600);
+      if (pursuit == nullptr) continue;
+      ++hunting;
+      const DailyPlan& prey = (*world->plans)[std::size_t(pursuit->plan)];
       const Place at = world->place_of(world->state(plan, seconds).at);
       farthest = std::max(farthest, length(world->place_of(world->state(prey, seconds).at) - at));
     }
     INFO(world->web->species[std::size_t(plan.species)].name << ", pack " << plan.herd);
     CHECK(farthest < sight);
+    CHECK(2 * hunting > awake);
   }
   INFO(followers << " of " << packs);
   CHECK(3 * followers > 2 * packs);
@@ -98,10 +105,10 @@ TEST_CASE("a pack's individuals are near their herd when they hunt") {
   HerdSimulation simulation(world);
   for (std::size_t p = 0; p < world->plans->size(); ++p) {
     const DailyPlan& plan = (*world->plans)[p];
-    if (plan.followed < 0) continue;
-    const DailyPlan& prey = (*world->plans)[std::size_t(plan.followed)];
     for (const double hour : {4.8, 19.9}) {
-      if (!active(plan, hour * 3600)) continue;
+      const HerdPursuit* pursuit = pursuit_at(plan, hour);
+      if (pursuit == nullptr) continue;
+      const DailyPlan& prey = (*world->plans)[std::size_t(pursuit->plan)];
       const Place middle = world->place_of(world->state(prey, hour * 3600).at);
       for (const HerdAnimal& animal : simulation.animals(int(p), hour)) CHECK(length(animal.place - middle) < sight + 100);
     }

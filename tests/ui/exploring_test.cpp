@@ -12,6 +12,7 @@
 #include "ui/commands.hpp"
 #include "ui/exploring.hpp"
 #include "ui/gamepad.hpp"
+#include "ui/herd_day.hpp"
 #include "ui/herd_needs.hpp"
 #include "ui/plant_pick.hpp"
 #include "ui/quality.hpp"
@@ -92,6 +93,57 @@ TEST_CASE("a need that painted numbers outgrow is not met") {
   CHECK_FALSE(outlook.needs[1].met());
   CHECK(outlook.needs[1].short_supply);
   CHECK(outlook.needs[0].met());
+}
+
+TEST_CASE("a predator's stops are named by the herds it visits, and its need counts herds") {
+  const auto maps = with_herds();
+  auto graph = std::make_shared<ResourceAccessGraph>(*maps->graph);
+  graph->levels.resize(3);
+  ResourceNode prey;
+  prey.kind = NodeKind::prey;
+  prey.group = 1;
+  ResourceNode bank;
+  bank.kind = NodeKind::bank;
+  graph->levels[2].nodes = {prey, bank};
+  maps->graph = graph;
+  auto web = std::make_shared<FoodWeb>(*maps->web);
+  Species wolf;
+  wolf.name = "wolf";
+  wolf.common_name = "Wolf";
+  AnimalTraits traits;
+  traits.water_visits = 0;
+  traits.diet = {{"prey", {{"deer", 1}}, 5}};
+  wolf.traits = traits;
+  web->species.push_back(wolf);
+  web->diets.push_back({{{1}, {1}, 5}});
+  maps->web = web;
+  auto plans = std::make_shared<std::vector<DailyPlan>>(*maps->plans);
+  DailyPlan pack;
+  pack.level = 2;
+  pack.species = 2;
+  pack.active = {{4, 10}};
+  pack.way = {{4, {1, 1}}, {28, {1, 1}}};
+  pack.stops = {{0, 4.5F, 6}, {1, 6.5F, 7}, {0, 7.5F, 10}, {0, 10, 28}};
+  pack.pursuits = {{4.5F, 6, 1}, {7.5F, 9.75F, 0}};
+  plans->push_back(pack);
+  maps->plans = plans;
+  CHECK(herd_name(*maps, 0) == "Cervus 1");
+  CHECK(herd_name(*maps, 1) == "Cervus 2");
+  CHECK(herd_name(*maps, 9) == "nobody");
+  CHECK(stop_name(*maps, pack, pack.stops[0]) == "Cervus 2");
+  CHECK(stop_name(*maps, pack, pack.stops[1]) == "Water");
+  CHECK(stop_name(*maps, pack, pack.stops[2]) == "Cervus 1");
+  CHECK(stop_name(*maps, pack, pack.stops[3]) == "Resting place");
+  CHECK(pursuit_text(*maps, pack, 5) == "Follows Cervus 2 until 06:00; 2 herds in its day");
+  CHECK(pursuit_text(*maps, pack, 12) == "Follows no herd now; 2 herds in its day");
+  CHECK(pursuit_text(*maps, (*plans)[0], 12).empty());
+  const HerdOutlook outlook = herd_outlook(*maps, pack, 8);
+  CHECK(outlook.doing == "hunting");
+  CHECK(outlook.where == "Cervus 1");
+  REQUIRE(outlook.needs.size() == 1);
+  CHECK(outlook.needs[0].herds == 2);
+  CHECK(outlook.needs[0].hours == Approx(3.75));
+  CHECK(outlook.needs[0].now);
 }
 
 TEST_CASE("next and previous go through a species' herds and come around") {

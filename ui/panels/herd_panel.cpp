@@ -114,17 +114,19 @@ StopAction draw_stop_buttons(const Theme& theme, bool may_go_earlier, bool may_g
   return action;
 }
 
-/// Number of the resource of a stop: the one the plan goes to, or, where the stop is being moved, the nearest.
-int node_of(const EditorState& state, const PlanEdit& day, const DailyPlan* plan, std::size_t index, int level) {
+/// What the stop is at: a resource, or a herd that a predator visits.
+std::string name_of(const EditorState& state, const PlanEdit& day, const DailyPlan* plan, std::size_t index) {
+  const MapsSnapshot& maps = *state.shown;
   const bool planned = plan != nullptr && plan->stops.size() == day.stops.size() && !state.herd_day.preview;
-  return planned ? plan->stops[index].node : node_near(*state.shown, level, day.stops[index].at);
+  if (planned) return stop_name(maps, *plan, plan->stops[index]);
+  const int level = plan != nullptr ? plan->level : 1;
+  return resource_name(maps, level, node_near(maps, level, day.stops[index].at));
 }
 
-/// `node`: the resource of the stop.
-StopAction draw_stop(const UiContext& ui, const PlanEdit& day, std::size_t index, int level, int node, bool reachable) {
+StopAction draw_stop(const UiContext& ui, const PlanEdit& day, std::size_t index, const std::string& what, bool reachable) {
   const Theme& theme = ui.theme;
-  const MapsSnapshot& maps = *ui.state.shown;
   const PlanStopEdit& stop = day.stops[index];
+  const PathPoint place = stop_place(ui.state, day, index);
   StopAction action = StopAction::none;
   ImGui::PushID(int(index));
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -134,16 +136,16 @@ StopAction draw_stop(const UiContext& ui, const PlanEdit& day, std::size_t index
       ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(at, ImVec2(at.x + room, at.y + ImGui::GetFrameHeight()));
   const float width = room - (reached ? theme.px(72) : 0);
   if (ImGui::Selectable("##stop", false, 0, ImVec2(width, 0))) {
-    ui.state.view.map.centre_x = double(stop.at.x);
-    ui.state.view.map.centre_y = double(stop.at.y);
+    ui.state.view.map.centre_x = double(place.x);
+    ui.state.view.map.centre_y = double(place.y);
     ui.state.clock.hour = std::fmod(double(stop.arrive), 24.0);
   }
-  if (row_double_clicked()) show_place(ui.state, stop.at);
+  if (row_double_clicked()) show_place(ui.state, place);
   tooltip(theme,
           "Click: go there, to that hour. Double-click: see it in 3D. On the map the numbered circle can be dragged to another "
           "resource");
   const std::string hours = format_clock(double(stop.arrive)) + " - " + format_clock(double(stop.leave));
-  const std::string name = std::to_string(index + 1) + "  " + resource_name(maps, level, node);
+  const std::string name = std::to_string(index + 1) + "  " + what;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float hours_width = ImGui::CalcTextSize(hours.c_str()).x;
   list.AddText(at, colour_u32(reachable ? theme.text : theme.attention),
@@ -161,14 +163,13 @@ StopAction draw_stop(const UiContext& ui, const PlanEdit& day, std::size_t index
 
 void draw_stops(const UiContext& ui, const PlanEdit& day, const DailyPlan* plan) {
   EditorState& state = ui.state;
-  const int level = plan != nullptr ? plan->level : 1;
   std::size_t chosen = 0;
   StopAction action = StopAction::none;
   for (std::size_t i = 0; i < day.stops.size(); ++i) {
     const bool reachable =
         plan == nullptr || !plan->edited ||
         std::find(plan->unreachable_stops.begin(), plan->unreachable_stops.end(), int(i)) == plan->unreachable_stops.end();
-    const StopAction wanted = draw_stop(ui, day, i, level, node_of(state, day, plan, i, level), reachable);
+    const StopAction wanted = draw_stop(ui, day, i, name_of(state, day, plan, i), reachable);
     if (wanted == StopAction::none) continue;
     action = wanted;
     chosen = i;
@@ -198,8 +199,8 @@ void draw_head(const UiContext& ui, const PlanEdit& day, const DailyPlan* plan) 
     const HerdState now =
         herd_state(*plan, maps.graph->levels[std::size_t(plan->level)], state.clock.hour, maps.terrain().cell_size);
     hint(ui.theme, std::to_string(plan->size) + (plan->size == 1 ? " animal, " : " animals, ") + activity_word(now.activity) +
-                       " at " + format_clock(state.clock.hour) + (plan->followed >= 0 ? "; follows another herd" : "") +
-                       (plan->edited ? "; planned by you" : ""));
+                       " at " + format_clock(state.clock.hour) + (plan->edited ? "; planned by you" : ""));
+    if (!plan->pursuits.empty()) hint(ui.theme, pursuit_text(maps, *plan, state.clock.hour));
     if (!plan->unreachable_stops.empty()) {
       ImGui::TextColored(ui.theme.attention, "%s",
                          (std::to_string(plan->unreachable_stops.size()) + " stops cannot be reached in time").c_str());
@@ -245,7 +246,7 @@ void draw_herd_day(const UiContext& ui, const ViewPen& pen) {
   }
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (std::size_t i = 0; i < day->stops.size(); ++i) {
-    const PathPoint cell = day->stops[i].at;
+    const PathPoint cell = stop_place(state, *day, i);
     const auto at = pen.place(cell);
     if (!at) continue;
     const bool held = state.herd_day.held_stop == int(i);

@@ -41,7 +41,8 @@ void draw_need(const UiContext& ui, const HerdNeed& need) {
   } else if (need.places == 0) {
     value = "not found today";
   } else {
-    value = hours_text(need.hours) + (need.places > 1 ? " at " + std::to_string(need.places) + " places" : "");
+    value = hours_text(need.hours);
+    if (need.places > 1) value += " at " + std::to_string(need.places) + (need.herds > 0 ? " herds" : " places");
   }
   const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(value.c_str()).x - theme.px(10);
   const std::string name = fitted_text(need.name + (need.now ? " (now)" : ""), room);
