@@ -150,7 +150,8 @@ std::array<bool, shadow_cascades> AnimalRenderer::casts_of(const glm::vec3& cent
     casts[std::size_t(c)] = large && casts_into(*light, c, centre, radius);
     if (!casts[std::size_t(c)]) continue;
     // Antlers and tails reach beyond the ball.
-    shadow_boxes_[std::size_t(c)].take_in({glm::dot(light->right, centre), glm::dot(light->up, centre)}, 1.5F * radius + 1);
+    const ShadowLight& of = light->cascades[std::size_t(c)].light;
+    shadow_boxes_[std::size_t(c)].take_in({glm::dot(of.right, centre), glm::dot(of.up, centre)}, 1.5F * radius + 1);
   }
   return casts;
 }
@@ -169,12 +170,7 @@ void AnimalRenderer::prepare(const MapsSnapshot& maps, const LandscapeOptions& o
     make_models(*web_);
   }
   set_month(northern_month(options.month, maps.terrain().latitude));
-  if (jumps_to(options.hour)) jump(*looked_);
-  if (!change_) {
-    placed_ = {herds_near(*world_, *looked_), {}, options.hour};
-    placed_.herds = simulation_->animals(placed_.requests, options.hour);
-    bytes_ = simulation_->bytes();
-  }
+  place_herds(*looked_);
   const std::vector<HerdRequest>& requests = placed_.requests;
   const std::vector<std::vector<HerdAnimal>>& herds = placed_.herds;
   seen_.resize(species_.size());

@@ -92,15 +92,22 @@ class AnimalRenderer {
     Buffer shade_instances;
   };
 
+  /// What was prepared last.
+  struct Look {
+    LandscapeOptions options;
+    glm::dvec3 eye{0};
+  };
   /// Herds as they were placed last.
   struct Placed {
     std::vector<HerdRequest> requests;
     std::vector<std::vector<HerdAnimal>> herds;
-    double hour = 0;
+    /// What they were placed for; nothing before the first time.
+    std::optional<Look> look;
+    [[nodiscard]] std::size_t animals() const;
   };
-  /// A change of the world, or of the hour alone, in the hands of another thread, and with it the simulation.
+  /// A change of the world, or only of the look, in the hands of another thread, and with it the simulation.
   struct Change {
-    /// Of the hour alone: what was found.
+    /// Of the look alone: what was found.
     std::optional<Placed> placed;
     std::shared_ptr<const ShoreMap> shore;
     std::shared_ptr<const AnimalSurroundings> surroundings;
@@ -111,11 +118,6 @@ class AnimalRenderer {
     Placed arrived;
     std::future<void> done;
   };
-  /// What was prepared last.
-  struct Look {
-    LandscapeOptions options;
-    glm::dvec3 eye{0};
-  };
 
   AnimalRenderer() = default;
   [[nodiscard]] bool moves_on(const MapsSnapshot& maps, bool same_details) const;
@@ -123,10 +125,13 @@ class AnimalRenderer {
   bool finish_change(bool wait);
   void change_world(const MapsSnapshot& maps, std::shared_ptr<const ShoreMap> shore, const PlantPlacement& trees,
                     bool same_details);
-  /// Whether another thread must find first where herds are at an hour: it takes minutes of their simulation.
-  [[nodiscard]] bool jumps_to(double hour) const;
-  /// Has another thread place the herds of a look; until it has they stay where they were.
-  void jump(const Look& look);
+  /// Whether herds are far in time from where they were placed: it takes minutes of their simulation.
+  [[nodiscard]] bool leaps_to(const Look& look) const;
+  /// Places the herds of a look, or in a window has another thread do it where that takes long (far in time, or so many that they
+  /// are always a picture behind); until it has they stay where they were.
+  void place_herds(const Look& look);
+  void place_elsewhere(const Look& look);
+  [[nodiscard]] static Placed placed_herds(HerdSimulation& simulation, const HerdWorld& world, const Look& look);
   /// Has another thread free the animals' world.
   void retire_world();
   void make_models(const FoodWeb& web);

@@ -1,11 +1,19 @@
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "render/animal_renderer.hpp"
 #include "render/animal_world.hpp"
 
 namespace biotope {
+
+namespace {
+
+/// Animals that are placed in a frame of a window: more take longer than 4 ms.
+constexpr std::size_t most_at_once = 800;
+
+}  // namespace
 
 /// Whether the world has become another.
 bool AnimalRenderer::moves_on(const MapsSnapshot& maps, bool same_details) const {
@@ -30,6 +38,7 @@ bool AnimalRenderer::finish_change(bool wait) {
   change_->done.get();
   if (change_->placed) {
     placed_ = std::move(*change_->placed);
+    bytes_ = simulation_->bytes();
     change_.reset();
     return true;
   }
@@ -65,10 +74,7 @@ void AnimalRenderer::change_world(const MapsSnapshot& maps, std::shared_ptr<cons
     if (!look || !look->options.animals) return;
     // What the next picture needs is found here too.
     HerdSimulation& simulation = followed != nullptr ? *followed : *change->simulation;
-    Placed& arrived = change->arrived;
-    arrived.requests = herds_near(*change->world, *look);
-    arrived.hour = look->options.hour;
-    arrived.herds = simulation.animals(arrived.requests, arrived.hour);
+    change->arrived = placed_herds(simulation, *change->world, *look);
   };
   change_->done = thread_.start(follow);
 }
@@ -95,21 +101,42 @@ void AnimalRenderer::set_world(const MapsSnapshot& maps, std::shared_ptr<const S
   static_cast<void>(finish_change(at_once));
 }
 
-bool AnimalRenderer::jumps_to(double hour) const {
-  if (!may_lag_ || change_ || behind_ || placed_.herds.empty()) return false;
+AnimalRenderer::Placed AnimalRenderer::placed_herds(HerdSimulation& simulation, const HerdWorld& world, const Look& look) {
+  Placed placed;
+  placed.requests = herds_near(world, look);
+  placed.herds = simulation.animals(placed.requests, look.options.hour);
+  placed.look = look;
+  return placed;
+}
+
+bool AnimalRenderer::leaps_to(const Look& look) const {
   constexpr double most_seconds = 30;
-  const double apart = std::abs(std::remainder(hour - placed_.hour, 24.0));
+  if (!placed_.look) return true;
+  const double apart = std::abs(std::remainder(look.options.hour - placed_.look->options.hour, 24.0));
   return apart * 3600 > most_seconds;
 }
 
-void AnimalRenderer::jump(const Look& look) {
+std::size_t AnimalRenderer::Placed::animals() const {
+  return std::accumulate(herds.begin(), herds.end(), std::size_t(0),
+                         [](std::size_t sum, const auto& herd) { return sum + herd.size(); });
+}
+
+void AnimalRenderer::place_herds(const Look& look) {
+  if (change_) return;
+  const bool same = placed_.look && placed_.look->eye == look.eye && placed_.look->options.hour == look.options.hour &&
+                    placed_.look->options.quality == look.options.quality &&
+                    placed_.look->options.visible_species == look.options.visible_species;
+  if (same) return;
+  if (may_lag_ && !behind_ && (leaps_to(look) || placed_.animals() > most_at_once)) return place_elsewhere(look);
+  placed_ = placed_herds(*simulation_, *world_, look);
+  bytes_ = simulation_->bytes();
+}
+
+void AnimalRenderer::place_elsewhere(const Look& look) {
   change_ = std::make_unique<Change>();
   change_->placed.emplace();
   change_->done = thread_.start([change = change_.get(), world = world_, look, simulation = simulation_.get()] {
-    Placed& placed = *change->placed;
-    placed.requests = herds_near(*world, look);
-    placed.hour = look.options.hour;
-    placed.herds = simulation->animals(placed.requests, placed.hour);
+    change->placed = placed_herds(*simulation, *world, look);
   });
 }
 

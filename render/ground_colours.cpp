@@ -85,7 +85,7 @@ class GroundPainter {
     const float slope = slope_at(x, y);
     const float moisture = snapshot_.environment
                                ? std::clamp((snapshot_.environment->map(Resource::moisture).mean(x, y) - 1) / 8, 0.0F, 1.0F)
-                               : 0.5F;
+                               : unknown_moisture();
     cell.rock = std::clamp((slope - 0.62F) / 0.5F, 0.0F, 1.0F);
     glm::vec3 bare = bare_ground(x, y, slope, moisture, cell.rock);
     // A thin sward grows wherever nothing else is known or counted: the herbs of the species list are only part of it.
@@ -101,6 +101,9 @@ class GroundPainter {
   }
 
  private:
+  /// While nothing is known yet the ground is dull: it must not promise meadows.
+  float unknown_moisture() const { return tints_.empty() ? 0.2F : 0.5F; }
+
   float slope_at(int x, int y) const {
     if (snapshot_.derivatives) return snapshot_.derivatives->slope(x, y);
     const Grid<float>& height = snapshot_.terrain().height;

@@ -80,6 +80,7 @@ struct LandscapeRenderer::State {
   std::optional<Climate> snow_climate;
   bool ground_complete = false;
   bool plants_complete = true;
+  bool shadows_complete = true;
   /// Whether there are all plants that the last picture asked for.
   bool plants_made = true;
   /// bring_in() was called since the last draw.
@@ -206,15 +207,20 @@ bool LandscapeRenderer::State::draw_shadows(const Camera& camera, const Landscap
   const bool drawn = options.shadows && options.quality >= shadow_quality;
   const Terrain& ground = snapshot->terrain();
   const double above = std::max(0.5, camera.position.z - ground_height(ground, camera.position.x, camera.position.y));
-  const ShadowView view = shadow_view(camera, above, light.light_direction, light.shadows);
+  const PlantRenderer* casting = with_plants ? plants.get() : nullptr;
+  ShadowView view;
+  if (drawn) {
+    const PlantShadowLook look{snapshot->web, options.visible_species, options.month, camera.position,
+                               glm::dvec3(frame.wind.x, frame.wind.y, options.seconds)};
+    view = shadows.choose(shadow_view(camera, above, light.light_direction, light.shadows), casting, look,
+                          in_window ? LandscapeShadows::most_in_window : LandscapeShadows::all);
+  }
+  shadows_complete = !drawn || !shadows.pending();
   follow_animals(!in_window);
   animals->prepare(*snapshot, options, camera.position, Frustum(frame.view_projection), terrain->surface(),
                    drawn ? &view : nullptr);
-  if (!drawn) return false;
-  const PlantShadowLook plant_look{snapshot->web, options.visible_species, options.month, camera.position,
-                                   glm::dvec3(frame.wind.x, frame.wind.y, options.seconds)};
-  count(shadows.draw(view, with_plants ? plants.get() : nullptr, plant_look, *animals));
-  return true;
+  if (drawn) count(shadows.draw(casting, *animals));
+  return drawn;
 }
 
 void LandscapeRenderer::State::set_frame(const FrameUniforms& frame) const {
@@ -290,7 +296,8 @@ bool LandscapeRenderer::bring_in(const LandscapeOptions& options) {
   state.follow_ground(!state.in_window);
   state.plants_made = !options.plants || state.plants->advance();
   state.brought_in = true;
-  return state.drawn_ground != state.terrain->shown() || !state.plants_complete || !state.animals->settled();
+  return state.drawn_ground != state.terrain->shown() || !state.plants_complete || !state.shadows_complete ||
+         !state.animals->settled();
 }
 
 void LandscapeRenderer::draw(const Camera& camera, const LandscapeOptions& options, int width, int height) {
@@ -324,6 +331,7 @@ void LandscapeRenderer::State::draw_picture(const Camera& camera, const Landscap
   const Daylight light = under(daylight(ground.latitude, options.month, options.hour), options.weather);
   drawn_ground = terrain->shown();
   plants_complete = true;
+  shadows_complete = true;
   FrameUniforms uniforms = frame(camera, options, light, width, height);
   if (terrain->ready()) {
     draw_world(camera, options, light, uniforms, {width, height});
@@ -353,7 +361,7 @@ void LandscapeRenderer::finish_loading(const Camera& camera, const LandscapeOpti
 bool LandscapeRenderer::all_made() const { return state_->ground_complete && state_->plants_made; }
 
 bool LandscapeRenderer::complete() const {
-  return state_->ground_complete && state_->plants_complete && state_->animals->settled();
+  return state_->ground_complete && state_->plants_complete && state_->shadows_complete && state_->animals->settled();
 }
 
 const LandscapeStatistics& LandscapeRenderer::statistics() const { return state_->statistics; }

@@ -85,7 +85,7 @@ class LandscapeRenderer {
   /// pictures and tests. draw() itself never waits; the ground is made on a thread of its own, and a few milliseconds a frame
   /// bring in what is ready.
   void finish_loading(const Camera& camera, const LandscapeOptions& options);
-  /// False while ground or plants of the last view drawn are still being made: draw again soon.
+  /// False while ground, plants or shadows of the last view drawn are still being made: draw again soon.
   [[nodiscard]] bool complete() const;
   [[nodiscard]] const LandscapeStatistics& statistics() const;
   /// Nearest and farthest depth of the last draw(), m: what its depth buffer's 0 and 1 stand for.

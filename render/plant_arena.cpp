@@ -5,6 +5,22 @@
 
 namespace biotope {
 
+namespace {
+
+/// Where there is not room for all blocks, it is looked again which are nearest after so many metres.
+constexpr double crowded_step = 32;
+
+/// Order of blocks by their distance from a place, in blocks.
+struct Nearer {
+  glm::dvec2 at;
+  [[nodiscard]] double away(std::pair<int, int> place) const {
+    return (place.second - at.x) * (place.second - at.x) + (place.first - at.y) * (place.first - at.y);
+  }
+  bool operator()(std::pair<int, int> a, std::pair<int, int> b) const { return away(a) < away(b); }
+};
+
+}  // namespace
+
 std::optional<std::uint32_t> SlotRuns::take(std::uint32_t count, std::uint32_t most) {
   for (auto run = free_.begin(); run != free_.end(); ++run) {
     if (run->second < count) continue;
@@ -68,24 +84,45 @@ void PlantArena::evict(Places& places, Places::iterator place) {
   places.erase(place);
 }
 
+PlantArena::Followed PlantArena::followed(const PlantBlocks& blocks, Stratum stratum, std::uint32_t most, glm::dvec2 eye,
+                                          bool crowded) const {
+  Followed out{blocks.changes(stratum), most, crowded, 0, {0, 0}};
+  if (crowded) {
+    out.taken = slots_.taken();
+    out.eye = glm::ivec2(glm::floor(eye / crowded_step));
+  }
+  return out;
+}
+
 bool PlantArena::follow(const PlantBlocks& blocks, Stratum stratum, std::uint32_t most, glm::dvec2 eye, UploadBudget& budget) {
   reserve(most);
+  std::optional<Followed>& last = followed_[std::size_t(stratum)];
+  if (last && *last == followed(blocks, stratum, most, eye, last->crowded)) return true;
+  last.reset();
   Places& places = places_[std::size_t(stratum)];
   const PlantBlocks::Map& wanted = blocks.blocks(stratum);
+  ++changes_[std::size_t(stratum)];
   for (auto place = places.begin(); place != places.end();) {
     const auto here = place++;
     if (!wanted.contains(here->first)) evict(places, here);
   }
-  const glm::dvec2 at = eye / double(PlantPlacement::block_side(stratum)) - 0.5;
-  const auto away = [&](std::pair<int, int> place) { return std::hypot(place.second - at.x, place.first - at.y); };
-  const auto nearer = [&](std::pair<int, int> a, std::pair<int, int> b) { return away(a) < away(b); };
   std::vector<std::pair<int, int>> changed;
   for (const auto& [place, block] : wanted) {
     const auto found = places.find(place);
     if (found == places.end() || found->second.version != block.version) changed.push_back(place);
   }
-  if (changed.empty()) return true;
-  std::sort(changed.begin(), changed.end(), nearer);
+  const glm::dvec2 at = eye / double(PlantPlacement::block_side(stratum)) - 0.5;
+  std::sort(changed.begin(), changed.end(), Nearer{at});
+  bool crowded = false;
+  if (!changed.empty() && !put_all(wanted, stratum, most, at, changed, budget, crowded)) return false;
+  last = followed(blocks, stratum, most, eye, crowded);
+  return true;
+}
+
+bool PlantArena::put_all(const PlantBlocks::Map& blocks, Stratum stratum, std::uint32_t most, glm::dvec2 at,
+                         std::span<const std::pair<int, int>> changed, UploadBudget& budget, bool& crowded) {
+  Places& places = places_[std::size_t(stratum)];
+  const Nearer nearer{at};
   std::vector<std::pair<int, int>> evictable;
   for (const auto& entry : places) evictable.push_back(entry.first);
   std::sort(evictable.begin(), evictable.end(), nearer);
@@ -94,16 +131,18 @@ bool PlantArena::follow(const PlantBlocks& blocks, Stratum stratum, std::uint32_
     Resident resident;
     if (const auto found = places.find(place); found != places.end()) resident = found->second;
     places.erase(place);
-    bool there = put(wanted.at(place), resident, most);
+    const PlantBlock& block = blocks.at(place);
+    bool there = put(block, resident, most);
     // What is farther away makes room.
-    while (!there && !evictable.empty() && away(evictable.back()) > away(place)) {
+    while (!there && !evictable.empty() && nearer(place, evictable.back())) {
       if (const auto farthest = places.find(evictable.back()); farthest != places.end()) evict(places, farthest);
       evictable.pop_back();
-      there = put(wanted.at(place), resident, most);
+      there = put(block, resident, most);
     }
+    crowded = crowded || !there;
     if (!there) continue;
     places[place] = resident;
-    budget.take(wanted.at(place).plants.size() * sizeof(PlantInstance));
+    budget.take(block.plants.size() * sizeof(PlantInstance));
   }
   return true;
 }

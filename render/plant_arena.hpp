@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "render/gl_objects.hpp"
@@ -49,6 +50,8 @@ class PlantArena {
   /// far from the eye stay out. Returns false when something is left to upload; what changed is then as it was.
   bool follow(const PlantBlocks& blocks, Stratum stratum, std::uint32_t most, glm::dvec2 eye, UploadBudget& budget);
   [[nodiscard]] const Places& places(Stratum stratum) const { return places_[std::size_t(stratum)]; }
+  /// Another number whenever places of a stratum are others.
+  [[nodiscard]] std::uint64_t changes(Stratum stratum) const { return changes_[std::size_t(stratum)]; }
   [[nodiscard]] const Buffer& buffer() const { return buffer_; }
   /// Memory of the plants in the buffer, and of the buffer.
   [[nodiscard]] std::size_t bytes() const { return std::size_t(slots_.taken()) * sizeof(PlantInstance); }
@@ -60,10 +63,29 @@ class PlantArena {
   /// A buffer for so many plants at once: it is not made anew until more are allowed.
   void reserve(std::uint32_t plants);
 
+  /// What was followed to the end: as long as it is the same there is nothing to do.
+  struct Followed {
+    std::uint64_t blocks = 0;
+    std::uint32_t most = 0;
+    /// Where there was not room for all: room that was left to others, and where the eye was, in steps.
+    bool crowded = false;
+    std::uint32_t taken = 0;
+    glm::ivec2 eye{0};
+    bool operator==(const Followed&) const = default;
+  };
+  [[nodiscard]] Followed followed(const PlantBlocks& blocks, Stratum stratum, std::uint32_t most, glm::dvec2 eye,
+                                  bool crowded) const;
+  /// Uploads these, which are nearest first; false when the budget ends before them. `crowded` becomes true where there was not
+  /// room for one.
+  bool put_all(const PlantBlocks::Map& blocks, Stratum stratum, std::uint32_t most, glm::dvec2 at,
+               std::span<const std::pair<int, int>> changed, UploadBudget& budget, bool& crowded);
+
   SlotRuns slots_;
   Buffer buffer_;
   std::uint32_t room_ = 0;
   std::array<Places, strata> places_;
+  std::array<std::uint64_t, strata> changes_{};
+  std::array<std::optional<Followed>, strata> followed_;
 };
 
 }  // namespace biotope

@@ -46,6 +46,8 @@ class PlantBlockMaker {
   void start(PlantPlacement placement, Stratum stratum, std::vector<std::pair<int, int>> places);
   /// Asks it to end after the blocks it is at. What is made can still be taken.
   void stop();
+  /// Whether it neither works nor has made anything that can be taken.
+  [[nodiscard]] bool idle() const { return work_ == nullptr; }
   /// Whether it still works.
   [[nodiscard]] bool busy() const;
   /// Waits until it has ended or it is `until`, and takes what was made since the last call.

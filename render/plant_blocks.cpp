@@ -10,10 +10,14 @@ namespace biotope {
 
 namespace {
 
-/// Within this distance blocks that changed come before those that were never there, m.
+/// Within this distance blocks that changed come before those that were never there, and both are worth a wait, m.
 constexpr double changed_first_reach = 320;
 /// Blocks that are asked for at a time: few enough to turn soon to what a camera that moved on wants.
 constexpr std::size_t most_asked = 96;
+
+/// Blocks are looked for as far as their centres are one side beyond the reach, where 0.71 would do: within this part of a side
+/// from there all of them are there too.
+constexpr double resting_part = 0.25;
 
 constexpr std::chrono::hours ever{1};
 
@@ -34,6 +38,7 @@ void PlantBlocks::leave() {
   made_elsewhere_.fill(true);
   for (PlantBlockMaker& maker : makers_) maker.stop();
   blocks_ = {};
+  for (const Stratum stratum : {Stratum::herb, Stratum::shrub, Stratum::tree}) touched(stratum);
   placement_ = {};
   snapshot_ = nullptr;
 }
@@ -86,6 +91,7 @@ void PlantBlocks::take_over(Change& change) {
     for (const auto& place : change.found.stale[s]) {
       if (const auto found = blocks_[s].find(place); found != blocks_[s].end()) found->second.stale = true;
     }
+    touched(Stratum(s));
   }
 }
 
@@ -93,9 +99,10 @@ std::vector<std::pair<int, int>> PlantBlocks::missing(Stratum stratum, double x,
   const Terrain& terrain = snapshot_->terrain();
   const double side = PlantPlacement::block_side(stratum);
   const Map& have = blocks_[std::size_t(stratum)];
+  const double looked = double(reach) + resting_part * side;
   const auto range = [&](double centre, double extent) {
-    return std::pair(std::max(0, int(std::floor((centre - reach) / side))),
-                     std::min(int(std::ceil(extent / side)), int(std::floor((centre + reach) / side)) + 1));
+    return std::pair(std::max(0, int(std::floor((centre - looked) / side))),
+                     std::min(int(std::ceil(extent / side)), int(std::floor((centre + looked) / side)) + 1));
   };
   const auto [x0, x1] = range(x, terrain.width_metres());
   const auto [y0, y1] = range(y, terrain.height_metres());
@@ -126,31 +133,70 @@ std::vector<std::pair<int, int>> PlantBlocks::wanted(Stratum stratum, double x, 
   return places;
 }
 
+bool PlantBlocks::hurries(Stratum stratum, double x, double y, std::span<const std::pair<int, int>> places) const {
+  if (places.empty()) return false;
+  const double side = PlantPlacement::block_side(stratum);
+  const auto near = [&](const std::pair<int, int>& place) {
+    return std::hypot((place.second + 0.5) * side - x, (place.first + 0.5) * side - y) < changed_first_reach;
+  };
+  return near(places.front());
+}
+
 void PlantBlocks::take_made(Stratum stratum, std::chrono::steady_clock::time_point until) {
   const auto s = std::size_t(stratum);
-  for (auto& [place, made] : makers_[s].take(until)) {
-    if (made_elsewhere_[s]) continue;
+  PlantBlockMaker::Made all = makers_[s].take(until);
+  if (all.empty() || made_elsewhere_[s]) return;
+  for (auto& [place, made] : all) {
     PlantBlock& block = blocks_[s][place];
     const bool changed_again = made_before_change_[s] && block.stale;
     block = std::move(made);
     block.version = ++versions_;
     block.stale = changed_again;
   }
+  touched(stratum);
 }
 
-bool PlantBlocks::build(Stratum stratum, double x, double y, float reach, std::chrono::steady_clock::time_point until) {
+void PlantBlocks::touched(Stratum stratum) {
+  const auto s = std::size_t(stratum);
+  ++changes_[s];
+  held_[s] = 0;
+  for (const auto& [place, block] : blocks_[s]) {
+    held_[s] += (block.plants.capacity() + block.undergrowth.capacity()) * sizeof(PlantInstance);
+  }
+}
+
+bool PlantBlocks::rests(Stratum stratum, double x, double y, float reach) const {
+  const auto s = std::size_t(stratum);
+  const std::optional<Rest>& rest = rest_[s];
+  return rest && makers_[s].idle() && rest->changes == changes_[s] && rest->reach == reach &&
+         rest->full == (bytes() >= most_bytes_) &&
+         std::hypot(x - rest->x, y - rest->y) <= resting_part * PlantPlacement::block_side(stratum);
+}
+
+bool PlantBlocks::build(Stratum stratum, double x, double y, float reach, std::chrono::steady_clock::time_point until,
+                        bool only_near) {
   const auto s = std::size_t(stratum);
   const bool followed = finish_changes(until);
   whole_to_[s] = snapshot_ ? reach : 0;
   if (!snapshot_) return followed;
+  if (rests(stratum, x, y, reach)) {
+    note_lacking(stratum, x, y, rest_[s]->left);
+    return followed;
+  }
   while (true) {
-    take_made(stratum, until);
+    take_made(stratum, std::chrono::steady_clock::now());
     std::vector<std::pair<int, int>> places = wanted(stratum, x, y, reach);
+    const bool hurried = !only_near || hurries(stratum, x, y, places);
+    if (hurried && makers_[s].busy()) {
+      take_made(stratum, until);
+      places = wanted(stratum, x, y, reach);
+    }
     const bool full = bytes() >= most_bytes_;
     if (full) makers_[s].stop();
     // Where there is no more room nothing is left to be waited for.
     if (places.empty() || full) {
       note_lacking(stratum, x, y, places);
+      rest_[s] = Rest{x, y, reach, changes_[s], full, std::move(places)};
       return followed;
     }
     if (makers_[s].busy()) {
@@ -164,7 +210,7 @@ bool PlantBlocks::build(Stratum stratum, double x, double y, float reach, std::c
     drop_far(stratum, x, y, reach);
     made_before_change_[s] = made_elsewhere_[s] = false;
     makers_[s].start(placement_, stratum, std::move(places));
-    if (std::chrono::steady_clock::now() >= until) {
+    if (!hurried || std::chrono::steady_clock::now() >= until) {
       note_lacking(stratum, x, y, wanted(stratum, x, y, reach));
       return false;
     }
@@ -174,10 +220,12 @@ bool PlantBlocks::build(Stratum stratum, double x, double y, float reach, std::c
 void PlantBlocks::note_lacking(Stratum stratum, double x, double y, std::span<const std::pair<int, int>> left) {
   // Blocks that only changed still have their old plants.
   const Map& blocks = blocks_[std::size_t(stratum)];
-  const auto lacking = std::find_if(left.begin(), left.end(), [&](const auto& other) { return !blocks.contains(other); });
-  if (lacking == left.end()) return;
   const double side = PlantPlacement::block_side(stratum);
-  const double away = std::hypot((lacking->second + 0.5) * side - x, (lacking->first + 0.5) * side - y);
+  double away = 1e9;
+  for (const auto& place : left) {
+    if (blocks.contains(place)) continue;
+    away = std::min(away, std::hypot((place.second + 0.5) * side - x, (place.first + 0.5) * side - y));
+  }
   float& whole_to = whole_to_[std::size_t(stratum)];
   whole_to = float(std::clamp(away - side, 0.0, double(whole_to)));
 }
@@ -191,6 +239,7 @@ void PlantBlocks::fill_all(Stratum stratum, std::span<const std::pair<int, int>>
     blocks[i]->version = versions_ + 1 + std::uint32_t(i);
   });
   versions_ += std::uint32_t(places.size());
+  touched(stratum);
 }
 
 void PlantBlocks::build_all(Stratum stratum, double x, double y, float reach) {
@@ -212,23 +261,17 @@ void PlantBlocks::build_all(Stratum stratum, double x, double y, float reach) {
 void PlantBlocks::drop_far(Stratum stratum, double x, double y, float reach) {
   const double side = PlantPlacement::block_side(stratum);
   const auto drop_beyond = [&](double farthest) {
-    std::erase_if(blocks_[std::size_t(stratum)], [&](const auto& entry) {
+    const std::size_t dropped = std::erase_if(blocks_[std::size_t(stratum)], [&](const auto& entry) {
       const auto [row, column] = entry.first;
       return std::hypot((column + 0.5) * side - x, (row + 0.5) * side - y) > farthest;
     });
+    if (dropped > 0) touched(stratum);
   };
   drop_beyond(1.6 * double(reach) + 2 * side);
   // What one may soon come back to is kept only as long as there is room.
   if (bytes() >= most_bytes_) drop_beyond(double(reach) + side);
 }
 
-std::size_t PlantBlocks::bytes() const {
-  std::size_t sum = 0;
-  for (const Map& map : blocks_) {
-    for (const auto& [place, block] : map)
-      sum += (block.plants.capacity() + block.undergrowth.capacity()) * sizeof(PlantInstance);
-  }
-  return sum;
-}
+std::size_t PlantBlocks::bytes() const { return held_[0] + held_[1] + held_[2]; }
 
 }  // namespace biotope

@@ -25,13 +25,16 @@ class PlantBlocks {
   /// The same for who must not wait: another thread finds what changed, and until a later build() takes that over all is as it
   /// was before. Of what is given meanwhile only the newest counts.
   void follow(std::shared_ptr<const MapsSnapshot> snapshot, std::shared_ptr<const GroundLines> lines);
+  /// Gives up all blocks: nothing of another landscape is good in the next.
+  void leave();
   /// True while blocks are not yet known to be those of the newest snapshot.
   [[nodiscard]] bool following() const { return change_ != nullptr; }
 
   /// Has blocks of a stratum built that lie within `reach` metres of (x, y): those near (x, y) whose plants an edit has changed
-  /// first, then nearest first. Waits for them until `until`; what is not there by then comes with a later call. Returns false
-  /// when some are left.
-  bool build(Stratum stratum, double x, double y, float reach, std::chrono::steady_clock::time_point until);
+  /// first, then nearest first. Waits for them until `until` (with `only_near` not for what comes into sight far ahead); what is
+  /// not there by then comes with a later call. Returns false when some are left.
+  bool build(Stratum stratum, double x, double y, float reach, std::chrono::steady_clock::time_point until,
+             bool only_near = false);
   /// Builds all of them, on all threads.
   void build_all(Stratum stratum, double x, double y, float reach);
 
@@ -40,6 +43,8 @@ class PlantBlocks {
   [[nodiscard]] const Map& blocks(Stratum stratum) const { return blocks_[std::size_t(stratum)]; }
   /// Metres from the eye of the last build within which every block of a stratum was built at least once.
   [[nodiscard]] float whole_to(Stratum stratum) const { return whole_to_[std::size_t(stratum)]; }
+  /// Another number whenever a stratum's blocks are others: new, made anew, to be made anew, or gone.
+  [[nodiscard]] std::uint64_t changes(Stratum stratum) const { return changes_[std::size_t(stratum)]; }
   [[nodiscard]] std::size_t bytes() const;
   /// Memory that blocks may take: beyond it far ones are given up, and no more are built.
   void set_most_bytes(std::size_t bytes) { most_bytes_ = bytes; }
@@ -51,6 +56,8 @@ class PlantBlocks {
   [[nodiscard]] std::vector<std::pair<int, int>> missing(Stratum stratum, double x, double y, float reach) const;
   /// What is missing in the order in which it is wanted.
   [[nodiscard]] std::vector<std::pair<int, int>> wanted(Stratum stratum, double x, double y, float reach) const;
+  /// Whether the first of those that are wanted are so near that a frame waits for them.
+  [[nodiscard]] bool hurries(Stratum stratum, double x, double y, std::span<const std::pair<int, int>> places) const;
   /// Takes what was made until a time. Of blocks that were begun before the maps changed again the next ones are wanted too.
   void take_made(Stratum stratum, std::chrono::steady_clock::time_point until);
   /// Builds blocks on all threads.
@@ -63,8 +70,6 @@ class PlantBlocks {
     PlantBlockPlaces places;
     PlantRevision found;
   };
-  /// Gives up all blocks: nothing of another landscape is good in the next.
-  void leave();
   void begin_change(std::shared_ptr<const MapsSnapshot> snapshot, std::shared_ptr<const GroundLines> lines);
   /// Takes over what was found by then, and goes on to what came meanwhile; false while something is left to be found.
   bool finish_changes(std::chrono::steady_clock::time_point until);
@@ -72,11 +77,27 @@ class PlantBlocks {
   void drop_far(Stratum stratum, double x, double y, float reach);
   /// Sets how far all blocks are there, where the first that lacks is one of these, nearest first.
   void note_lacking(Stratum stratum, double x, double y, std::span<const std::pair<int, int>> left);
+  /// To be called after every change of a stratum's blocks.
+  void touched(Stratum stratum);
+  /// A look at what is missing after which nothing is to be done: from near there it need not be looked at again.
+  struct Rest {
+    double x = 0;
+    double y = 0;
+    float reach = 0;
+    std::uint64_t changes = 0;
+    bool full = false;
+    /// What there is no room for.
+    std::vector<std::pair<int, int>> left;
+  };
+  [[nodiscard]] bool rests(Stratum stratum, double x, double y, float reach) const;
 
   PlantPlacement placement_;
   /// Null before the first one, and until plants of another landscape are known.
   std::shared_ptr<const MapsSnapshot> snapshot_;
   std::array<Map, strata> blocks_;
+  std::array<std::uint64_t, strata> changes_{};
+  std::array<std::size_t, strata> held_{};
+  std::array<std::optional<Rest>, strata> rest_;
   std::uint32_t versions_ = 0;
   std::size_t most_bytes_ = std::size_t(256) << 20U;
   std::array<float, strata> whole_to_{};

@@ -4,10 +4,9 @@
 #include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <utility>
 
-#include "core/base/parallel.hpp"
 #include "render/plant_leaves.hpp"
-#include "render/plant_mesh_order.hpp"
 #include "render/plant_undergrowth.hpp"
 
 namespace biotope {
@@ -41,10 +40,11 @@ glm::vec3 high_wood_colour(const PlantShape& shape) {
   return wood_colour(shape);
 }
 
+/// Barks go around a trunk again and again; leaves are clear at their pictures' edges.
 Texture leaf_texture() {
   const std::vector<Grid<Rgba>> pictures = leaf_pictures();
   Texture texture = make_texture_array(GL_RGBA8, leaf_picture_side, leaf_picture_side, int(pictures.size()), 7,
-                                       {GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_MIRRORED_REPEAT});
+                                       {GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT});
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     const std::vector<Grid<Rgba>> levels = leaf_mipmaps(LeafPicture(i), pictures[i]);
@@ -64,20 +64,6 @@ struct KindUniforms {
   std::array<glm::vec4, 256> turned{};
 };
 
-/// One model of a kind at all its levels of detail; herbs have no close one.
-struct ModelMeshes {
-  PlantMesh close;
-  PlantMesh near;
-  PlantMesh mid;
-};
-ModelMeshes make_meshes(const PlantTraits& plant, std::uint64_t seed) {
-  ModelMeshes meshes;
-  if (plant.stratum != Stratum::herb) meshes.close = make_plant_mesh(plant.shape, PlantDetail::close, seed);
-  meshes.near = make_plant_mesh(plant.shape, PlantDetail::near, seed);
-  meshes.mid = make_plant_mesh(plant.shape, PlantDetail::mid, seed);
-  return meshes;
-}
-
 /// Meadows flower from April to August, one kind after the other (our choice).
 float share_in_flower(int species, int month) {
   constexpr std::array<float, 4> peaks{4.3F, 5.1F, 5.8F, 6.7F};
@@ -92,13 +78,12 @@ glm::vec3 leaf_in_sward(const PlantKind& kind, const std::array<float, 3>& colou
 
 }  // namespace
 
-PlantMeshBuffers upload(const PlantMesh& mesh) {
+PlantMeshBuffers upload(const OrderedMesh& mesh) {
   PlantMeshBuffers out;
   out.vertices = make_static_buffer(std::as_bytes(std::span(mesh.vertices)));
-  const std::vector<std::uint16_t> indices = ordered_indices(mesh);
-  out.indices = make_static_buffer(std::as_bytes(std::span(indices)));
+  out.indices = make_static_buffer(std::as_bytes(std::span(mesh.indices)));
   out.array = make_vertex_array();
-  out.index_count = GLsizei(mesh.indices.size());
+  out.index_count = GLsizei(mesh.index_count);
   glVertexArrayElementBuffer(out.array.name(), out.indices.name());
   glVertexArrayVertexBuffer(out.array.name(), 0, out.vertices.name(), 0, sizeof(PlantVertex));
   float_attribute(out.array, 0, 0, 3, offsetof(PlantVertex, position));
@@ -132,35 +117,54 @@ Result<PlantKinds> PlantKinds::create() {
   kinds.bake_ = std::move(*bake);
   kinds.leaves_ = leaf_texture();
   kinds.uniforms_ = make_buffer();
+  kinds.make_undergrowth();
   return kinds;
 }
 
-void PlantKinds::set_web(const FoodWeb& web) {
-  kinds_.clear();
-  month_ = -1;
-  if (undergrowth_.empty()) make_undergrowth();
-  if (web.levels.empty()) return;
-  const std::size_t count = std::min<std::size_t>(web.levels[0].size(), most_plant_kinds);
-  const auto plant_of = [&](std::size_t i) -> const PlantTraits& { return web.species[std::size_t(web.levels[0][i])].plant(); };
-  std::vector<ModelMeshes> meshes(count * plant_models);
-  parallel_each(meshes.size(), [&](std::size_t i) { meshes[i] = make_meshes(plant_of(i / plant_models), 0x6b696e64ULL + i); });
-  for (std::size_t i = 0; i < count; ++i) {
-    PlantKind kind;
-    kind.species = web.levels[0][i];
-    kind.stratum = plant_of(i).stratum;
-    kind.shape = plant_of(i).shape;
-    kind.wood = wood_colour(kind.shape);
-    kind.high_wood = high_wood_colour(kind.shape);
+void PlantKinds::take(std::shared_ptr<const PlantModels> models) {
+  coming_ = std::move(models);
+  coming_kinds_.clear();
+}
+
+bool PlantKinds::upload(UploadBudget& budget) {
+  if (!coming_) return true;
+  const std::size_t count = coming_->meshes.size() / plant_models;
+  while (coming_kinds_.size() < count) {
+    if (budget.spent()) return false;
+    upload_kind(coming_kinds_.size());
     for (std::size_t model = 0; model < plant_models; ++model) {
-      const ModelMeshes& made = meshes[plant_models * i + model];
-      const PlantExtent extent = extent_of(made.near);
-      kind.extent = {std::max(kind.extent.radius, extent.radius), std::max(kind.extent.height, extent.height)};
-      if (made.close.triangles() > 0) kind.close[model] = upload(made.close);
-      kind.near[model] = upload(made.near);
-      kind.mid[model] = upload(made.mid);
+      const ModelMeshes& meshes = coming_->meshes[plant_models * (coming_kinds_.size() - 1) + model];
+      budget.take(meshes.close.bytes() + meshes.near.bytes() + meshes.mid.bytes());
     }
-    kinds_.push_back(std::move(kind));
   }
+  kinds_ = std::exchange(coming_kinds_, {});
+  coming_ = nullptr;
+  month_ = -1;
+  make_far_pictures();
+  return true;
+}
+
+void PlantKinds::upload_kind(std::size_t kind) {
+  const FoodWeb& web = *coming_->web;
+  const PlantTraits& traits = web.species[std::size_t(web.levels[0][kind])].plant();
+  PlantKind made;
+  made.species = web.levels[0][kind];
+  made.stratum = traits.stratum;
+  made.shape = traits.shape;
+  made.wood = wood_colour(made.shape);
+  made.high_wood = high_wood_colour(made.shape);
+  for (std::size_t model = 0; model < plant_models; ++model) {
+    const ModelMeshes& meshes = coming_->meshes[plant_models * kind + model];
+    const PlantExtent& extent = meshes.near.extent;
+    made.extent = {std::max(made.extent.radius, extent.radius), std::max(made.extent.height, extent.height)};
+    if (meshes.close.index_count > 0) made.close[model] = biotope::upload(meshes.close);
+    made.near[model] = biotope::upload(meshes.near);
+    made.mid[model] = biotope::upload(meshes.mid);
+  }
+  coming_kinds_.push_back(std::move(made));
+}
+
+void PlantKinds::make_far_pictures() {
   const auto layers = int(std::max<std::size_t>(1, kinds_.size())) * plant_models * far_views;
   const Sampling smooth{GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE};
   // Mipmaps down to 4 texels: below that a plant is a dot, and species must not run into each other.
@@ -177,7 +181,7 @@ void PlantKinds::make_undergrowth() {
     kind.shape = look.traits.shape;
     kind.wood = kind.high_wood = linear(look.wood);
     kind.extent = extent_of(mesh);
-    kind.near.front() = upload(mesh);
+    kind.near.front() = biotope::upload(ordered(mesh));
     undergrowth_.push_back(std::move(kind));
   }
 }

@@ -7,8 +7,10 @@
 #include "render/gl_objects.hpp"
 #include "render/ground_maps.hpp"
 #include "render/plant_mesh.hpp"
+#include "render/plant_model_maker.hpp"
 #include "render/plant_placement.hpp"
 #include "render/shader_program.hpp"
+#include "render/texel_upload.hpp"
 
 namespace biotope {
 
@@ -18,8 +20,6 @@ inline constexpr GLuint far_pictures_unit = 9;
 inline constexpr GLuint far_surfaces_unit = 10;
 /// Uniform block of what the shaders know of every kind.
 inline constexpr GLuint kinds_binding = 1;
-/// Models of each woody kind; which of them a plant is follows from its tint.
-inline constexpr int plant_models = 2;
 [[nodiscard]] inline int model_of(const PlantInstance& plant) {
   const float scaled = plant.tint * 61.0F;
   return int((scaled - std::floor(scaled)) * float(plant_models));
@@ -54,7 +54,7 @@ struct PlantMeshBuffers {
   GLsizei index_count = 0;  ///< of one order
 };
 /// Uploads a mesh; binding 1 of its array takes PlantInstance per instance (attributes 4 and 5).
-[[nodiscard]] PlantMeshBuffers upload(const PlantMesh& mesh);
+[[nodiscard]] PlantMeshBuffers upload(const OrderedMesh& mesh);
 /// Declares PlantInstance at binding 1.
 void instance_attributes(const VertexArray& array);
 
@@ -84,8 +84,11 @@ void set_flowers(const ShaderProgram& program, const PlantKind& kind);
 class PlantKinds {
  public:
   [[nodiscard]] static Result<PlantKinds> create();
-  /// Builds the meshes of a web's plants.
-  void set_web(const FoodWeb& web);
+  /// Takes the models of a web's plants in; until upload() has brought all of them to the graphics side those of before are
+  /// drawn.
+  void take(std::shared_ptr<const PlantModels> models);
+  /// Uploads models that were taken in, as much as the budget leaves. True when those taken in last are the ones drawn.
+  bool upload(UploadBudget& budget);
   /// Colours and pictures of a month.
   void set_month(const FoodWeb& web, int month);
   /// Plants of other species are not drawn from afar and cast no shade. True when that is a change.
@@ -104,6 +107,8 @@ class PlantKinds {
 
  private:
   void make_undergrowth();
+  void upload_kind(std::size_t kind);
+  void make_far_pictures();
   void upload_kinds();
   void take_pictures();
   void take_picture(const PlantKind& kind, int model, float elevation) const;
@@ -113,6 +118,9 @@ class PlantKinds {
   Texture far_pictures_;
   Texture far_surfaces_;
   Buffer uniforms_;
+  std::shared_ptr<const PlantModels> coming_;
+  /// Those of them that are uploaded.
+  std::vector<PlantKind> coming_kinds_;
   std::vector<PlantKind> kinds_;
   std::vector<PlantKind> undergrowth_;
   SpeciesVisibility visible_;

@@ -68,7 +68,7 @@ struct PlantMesh {
   [[nodiscard]] std::size_t triangles() const { return indices.size() / 3; }
 };
 
-/// How many triangles a mesh may have: close 1500..9000, near 280..1500, mid 35..175; a tuft of herbs near 70, from afar 8.
+/// How many triangles a mesh may have: close 1500..9000, near 280..2200, mid 35..175; a tuft of herbs near 70, from afar 8.
 enum class PlantDetail : std::uint8_t { close, near, mid };
 
 /// The mesh of a grown plant of that shape, in metres. `seed` varies it. Unknown models are drawn as their nearest kin (broadleaf

@@ -128,11 +128,20 @@ TreeHabit habit_of(const PlantShape& shape, std::uint64_t seed) {
   return habit;
 }
 
-/// Leaves of one spot of a crown close to the eye: many small folded cards along the last part of its twig.
-void close_leaves(PlantMeshBuilder& builder, const LeafSpot& spot, const CrownForm& crown, const CrownForm& bunch,
-                  const LeafHabit& habit, int cards, float size) {
-  for (int c = 0; c < cards; ++c) {
-    const float back = (float(c) + builder.random.unit()) / float(cards);
+/// Cards of one kind around a twig.
+struct LeafCards {
+  int count = 1;
+  float size = 1;  ///< m
+  LeafPicture picture = LeafPicture::broad;
+  float fold = 0;
+};
+
+/// Leaves of one spot of a crown: many small cards along the last part of its twig, each turned its own way.
+void leaves_along(PlantMeshBuilder& builder, const LeafSpot& spot, const CrownForm& crown, const CrownForm& bunch,
+                  const LeafHabit& habit, const LeafCards& cards) {
+  const float size = cards.size;
+  for (int c = 0; c < cards.count; ++c) {
+    const float back = (float(c) + builder.random.unit()) / float(cards.count);
     const glm::vec3 aside = builder.random.direction() * (0.5F + 0.5F * back);
     // Loosely around the twig, so that light and sky come through between the sprays.
     const glm::vec3 loose = builder.random.direction() * builder.random.unit() * 0.9F * size;
@@ -149,8 +158,8 @@ void close_leaves(PlantMeshBuilder& builder, const LeafSpot& spot, const CrownFo
     card.centre = from + along * card.height * 0.42F;
     card.facing = glm::normalize(facing);
     card.upright = along;
-    card.picture = habit.spray;
-    card.fold = 0.16F;
+    card.picture = cards.picture;
+    card.fold = cards.fold;
     builder.card(card, &bunch);
   }
 }
@@ -196,21 +205,30 @@ PlantMesh broadleaf_mesh(const PlantShape& shape, PlantDetail detail, std::uint6
     const int cards = std::max(1, int(most_cards / float(branching.spots.size())));
     const float size = 0.86F * std::sqrt(area / (float(cards) * float(branching.spots.size())));
     for (const LeafSpot& spot : branching.spots) {
-      close_leaves(builder, spot, crown, branching.bunches[std::size_t(spot.limb)], habit.leaves, cards, size);
+      leaves_along(builder, spot, crown, branching.bunches[std::size_t(spot.limb)], habit.leaves,
+                   {cards, size, habit.leaves.spray, 0.16F});
+    }
+    return builder.take();
+  }
+  if (near) {
+    // Small cards: large ones are sheets where one looks along them. As much leaf as a card of the habit's size has.
+    constexpr int near_cards = 2;
+    const float size = 0.84F * radius * habit.leaves.size;
+    for (const LeafSpot& spot : branching.spots) {
+      leaves_along(builder, spot, crown, branching.bunches[std::size_t(spot.limb)], habit.leaves,
+                   {near_cards * habit.leaves.cards, size, habit.leaves.picture, 0});
     }
     return builder.take();
   }
   // From afar fewer, larger cards stand for all of them.
   constexpr std::size_t most_afar = 38;
-  const std::size_t every = near ? 1 : std::max<std::size_t>(1, (branching.spots.size() + most_afar - 1) / most_afar);
-  const float larger = near ? 1.0F : 0.85F * std::sqrt(float(every) * float(habit.leaves.cards));
+  const std::size_t every = std::max<std::size_t>(1, (branching.spots.size() + most_afar - 1) / most_afar);
+  const float larger = 0.85F * std::sqrt(float(every) * float(habit.leaves.cards));
   const float size = radius * habit.leaves.size * larger;
   for (std::size_t i = 0; i < branching.spots.size(); i += every) {
     const LeafSpot& spot = branching.spots[i];
     const CrownForm& bunch = branching.bunches[std::size_t(spot.limb)];
-    for (int c = 0; c < (near ? habit.leaves.cards : 1); ++c) {
-      leaf_card(builder, spot, crown, bunch, habit.leaves, size, 0.38F * (size - size / larger));
-    }
+    leaf_card(builder, spot, crown, bunch, habit.leaves, size, 0.38F * (size - size / larger));
   }
   return builder.take();
 }

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "render/landscape_renderer.hpp"
-#include "render/plant_mesh_order.hpp"
 #include "render/season.hpp"
 
 namespace biotope {
@@ -16,6 +15,7 @@ namespace {
 constexpr double shade_side = 512;
 constexpr double most_shade_side = 2048;
 constexpr int shade_texels = 1024;
+constexpr auto ever = std::chrono::steady_clock::time_point::max();
 /// The square moves in steps of this part of its side.
 constexpr float shade_steps = 16;
 
@@ -23,60 +23,6 @@ constexpr float shade_steps = 16;
 bool lacks_plants(const MapsSnapshot& snapshot) {
   return !snapshot.web || snapshot.cover.empty() ||
          std::any_of(snapshot.cover.begin(), snapshot.cover.end(), [](const auto& cover) { return cover == nullptr; });
-}
-
-void set_levels(const ShaderProgram& program, const PlantLevels& levels) {
-  program.set("lod", glm::vec4(levels.near_pixels, levels.mid_pixels, levels.far_from, levels.far_to));
-}
-
-/// Height on the screen from which no mesh is finer.
-constexpr float no_finer = 1e9F;
-
-/// Draws a mesh for instances [first, first + count) of a buffer.
-void draw_instances(const PlantMeshBuffers& mesh, const Buffer& instances, std::size_t first, std::size_t count,
-                    DrawCount& drawn) {
-  glVertexArrayVertexBuffer(mesh.array.name(), 1, instances.name(), GLintptr(first * sizeof(PlantInstance)),
-                            sizeof(PlantInstance));
-  glBindVertexArray(mesh.array.name());
-  glDrawElementsInstanced(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_SHORT, nullptr, GLsizei(count));
-  ++drawn.draw_calls;
-  drawn.triangles += count * std::size_t(mesh.index_count / 3);
-}
-
-/// The same for plants of which each shows its triangles in the order in which the eye meets them.
-void draw_ordered(const PlantMeshBuffers& mesh, const Buffer& instances, std::size_t first, std::span<const PlantInstance> plants,
-                  const glm::vec3& eye, const Buffer& commands, DrawCount& drawn) {
-  std::vector<MeshDraw> runs;
-  for (std::size_t i = 0; i < plants.size(); ++i) {
-    const auto from = std::uint32_t(mesh_order(plants[i], eye)) * std::uint32_t(mesh.index_count);
-    if (runs.empty() || runs.back().first_index != from)
-      runs.push_back({std::uint32_t(mesh.index_count), 0, from, 0, std::uint32_t(i)});
-    ++runs.back().plants;
-  }
-  stream(commands, std::span<const MeshDraw>(runs));
-  glVertexArrayVertexBuffer(mesh.array.name(), 1, instances.name(), GLintptr(first * sizeof(PlantInstance)),
-                            sizeof(PlantInstance));
-  glBindVertexArray(mesh.array.name());
-  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands.name());
-  glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, nullptr, GLsizei(runs.size()), 0);
-  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
-  ++drawn.draw_calls;
-  drawn.triangles += plants.size() * std::size_t(mesh.index_count / 3);
-}
-
-/// Draws a square for plants of the arena; returns how many.
-std::size_t draw_blocks(const VertexArray& array, const PlantArena& arena, const Buffer& commands,
-                        std::span<const FarDraw> blocks) {
-  if (blocks.empty()) return 0;
-  stream(commands, blocks);
-  glVertexArrayVertexBuffer(array.name(), 1, arena.buffer().name(), 0, sizeof(PlantInstance));
-  glBindVertexArray(array.name());
-  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands.name());
-  glMultiDrawArraysIndirect(GL_TRIANGLE_STRIP, nullptr, GLsizei(blocks.size()), 0);
-  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
-  std::size_t sum = 0;
-  for (const FarDraw& block : blocks) sum += block.plants;
-  return sum;
 }
 
 }  // namespace
@@ -121,12 +67,28 @@ Result<std::unique_ptr<PlantRenderer>> PlantRenderer::create() {
 void PlantRenderer::set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot, std::shared_ptr<const GroundLines> lines,
                                  bool at_once) {
   // Until the plants of an edit are known, those from before it stay in sight.
-  const bool waits = snapshot_ && !snapshot->complete && lacks_plants(*snapshot) &&
-                     snapshot_->document.species == snapshot->document.species &&
-                     same_extent(snapshot_->terrain(), snapshot->terrain());
+  const MapsSnapshot* last = coming_ ? coming_->snapshot.get() : snapshot_.get();
+  const bool waits = last != nullptr && !snapshot->complete && lacks_plants(*snapshot) &&
+                     last->document.species == snapshot->document.species && same_extent(last->terrain(), snapshot->terrain());
   if (waits) return;
-  const bool new_web = snapshot->web && (!snapshot_ || snapshot_->web != snapshot->web);
-  if (new_web) kinds_.set_web(*snapshot->web);
+  const bool same_models = !snapshot->web || (snapshot_ && same_plants(*snapshot_, *snapshot));
+  if (!same_models) {
+    if (!coming_ || !same_plants(*coming_->snapshot, *snapshot)) {
+      made_ = nullptr;
+      models_.start(snapshot->web);
+    }
+    coming_ = Coming{std::move(snapshot), std::move(lines)};
+    // Plants of other kinds mean nothing any more; until the new ones are there the ground shows where they grow.
+    snapshot_ = nullptr;
+    blocks_.leave();
+    if (at_once) static_cast<void>(follow_models(ever, UploadBudget::unlimited()));
+    return;
+  }
+  coming_.reset();
+  show(std::move(snapshot), std::move(lines), at_once);
+}
+
+void PlantRenderer::show(std::shared_ptr<const MapsSnapshot> snapshot, std::shared_ptr<const GroundLines> lines, bool at_once) {
   snapshot_ = snapshot;
   if (at_once) {
     blocks_.set_snapshot(std::move(snapshot), std::move(lines));
@@ -137,19 +99,35 @@ void PlantRenderer::set_snapshot(std::shared_ptr<const MapsSnapshot> snapshot, s
   shaded_area_ = glm::vec4(0);
 }
 
+bool PlantRenderer::follow_models(std::chrono::steady_clock::time_point until, UploadBudget upload) {
+  if (!coming_) return true;
+  if (!made_) {
+    made_ = models_.take(until);
+    if (!made_) return false;
+    kinds_.take(made_);
+  }
+  if (!kinds_.upload(upload)) return false;
+  models_.retire(std::exchange(made_, nullptr));
+  const Coming shown = *std::exchange(coming_, std::nullopt);
+  show(shown.snapshot, shown.lines, until == ever);
+  return true;
+}
+
 bool PlantRenderer::advance() {
-  if (complete_ || !snapshot_) return true;
-  return build(std::chrono::steady_clock::now());
+  const bool models = follow_models(std::chrono::steady_clock::now(), UploadBudget());
+  if (complete_ || !snapshot_) return models;
+  return build(std::chrono::steady_clock::now()) && models;
 }
 
 bool PlantRenderer::build(std::chrono::steady_clock::time_point until) {
-  bool complete = true;
+  bool complete = !coming_;
+  if (!snapshot_) return complete;
   // All of them are begun before one is waited for.
   for (const auto time : {std::min(until, std::chrono::steady_clock::now()), until}) {
-    complete = true;
+    complete = !coming_;
     for (const Stratum stratum : {Stratum::herb, Stratum::tree, Stratum::shrub}) {
       const float reach = prepared_reach_[std::size_t(stratum)];
-      if (reach > 0) complete = blocks_.build(stratum, prepared_eye_.x, prepared_eye_.y, reach, time) && complete;
+      if (reach > 0) complete = blocks_.build(stratum, prepared_eye_.x, prepared_eye_.y, reach, time, true) && complete;
     }
     if (complete) break;
   }
@@ -161,6 +139,7 @@ bool PlantRenderer::sees(Stratum stratum, const PlantBudget& budget, const glm::
 }
 
 void PlantRenderer::finish_loading(const PlantLook& look, const glm::dvec3& eye) {
+  static_cast<void>(follow_models(ever, UploadBudget::unlimited()));
   if (!snapshot_) return;
   const PlantBudget budget = PlantBudget::of(look.quality);
   blocks_.set_most_bytes(budget.block_bytes());
@@ -178,8 +157,11 @@ bool PlantRenderer::prepare(const PlantLook& look, const glm::dvec3& eye, const 
                             double budget_ms) {
   if (!snapshot_ || !snapshot_->web) {
     selection_ = {};
+    shading_reach_ = {};
+    shaded_area_ = glm::vec4(0);
+    woody_.follow(blocks_, arena_);
     upload_selection();
-    return true;
+    return !coming_;
   }
   kinds_.set_quality(look.quality);
   kinds_.set_month(*snapshot_->web, northern_month(look.month, snapshot_->terrain().latitude));
@@ -205,7 +187,8 @@ bool PlantRenderer::prepare(const PlantLook& look, const glm::dvec3& eye, const 
   // What was built since the last frame casts shade too.
   if (kinds_.set_visible(look.visible) || !complete || !complete_) shaded_area_ = glm::vec4(0);
   complete_ = complete;
-  selection_ = select_plants(blocks_, arena_, kinds_, look.visible, budget, frame, frustum);
+  woody_.follow(blocks_, arena_);
+  selection_ = select_plants(blocks_, woody_, kinds_, look.visible, budget, frame, frustum);
   upload_selection();
   return complete;
 }
@@ -270,90 +253,6 @@ DrawCount PlantRenderer::draw_shade(const glm::vec4& area, const glm::vec3& ligh
   glDisable(GL_BLEND);
   glEnable(GL_DEPTH_TEST);
   return {1, 2 * plants};
-}
-
-DrawCount PlantRenderer::draw(bool shadows) const {
-  kinds_.bind();
-  DrawCount drawn;
-  const auto add = [&](const DrawCount& part) {
-    drawn.draw_calls += part.draw_calls;
-    drawn.triangles += part.triangles;
-    // Where processors draw, others fill these pixels while this one goes on to the next vertices.
-    glFlush();
-  };
-  add(draw_meshes(shadows ? shadowed_mesh_program_ : mesh_program_));
-  add(draw_tufts(shadows ? shadowed_tuft_program_ : tuft_program_));
-  add(draw_far());
-  return drawn;
-}
-
-DrawCount PlantRenderer::draw_meshes(const ShaderProgram& program) const {
-  DrawCount drawn;
-  program.use();
-  std::size_t first = 0;
-  // Trees and shrubs change their meshes at the same heights.
-  const PlantLevels& levels = selection_.levels.front();
-  struct Level {
-    const std::vector<std::vector<PlantInstance>>& lists;
-    std::array<PlantMeshBuffers, plant_models> PlantKind::*meshes;
-    glm::vec2 pixels;
-  };
-  for (const Level& level : {Level{selection_.close, &PlantKind::close, {no_finer, levels.close_pixels}},
-                             Level{selection_.near, &PlantKind::near, {levels.close_pixels, levels.near_pixels}},
-                             Level{selection_.mid, &PlantKind::mid, {levels.near_pixels, levels.mid_pixels}}}) {
-    program.set("level", level.pixels);
-    for (std::size_t i = 0; i < level.lists.size(); ++i) {
-      if (level.lists[i].empty()) continue;
-      const PlantKind& kind = kinds_.kinds()[i / plant_models];
-      set_wood(program, kind);
-      draw_ordered((kind.*level.meshes)[i % plant_models], instances_, first, level.lists[i], selection_.eye, mesh_draws_, drawn);
-      first += level.lists[i].size();
-    }
-  }
-  program.set("level", glm::vec2(no_finer, selection_.undergrowth_pixels));
-  for (std::size_t i = 0; i < selection_.undergrowth.size(); ++i) {
-    const auto& list = selection_.undergrowth[i];
-    if (list.empty()) continue;
-    set_wood(program, kinds_.undergrowth()[i]);
-    draw_instances(kinds_.undergrowth()[i].near.front(), instances_, first, list.size(), drawn);
-    first += list.size();
-  }
-  return drawn;
-}
-
-DrawCount PlantRenderer::draw_tufts(const ShaderProgram& program) const {
-  DrawCount drawn;
-  std::size_t first = 0;
-  for (const auto* lists : {&selection_.close, &selection_.near, &selection_.mid, &selection_.undergrowth}) {
-    for (const auto& list : *lists) first += list.size();
-  }
-  program.use();
-  program.set("fade", glm::vec2(0.08F, 0.75F) * selection_.herb_reach);
-  for (const bool near : {true, false}) {
-    const auto& lists = near ? selection_.near_tufts : selection_.far_tufts;
-    program.set("given", glm::vec2(near ? 1 : -1, 1) * selection_.tuft_change);
-    for (std::size_t i = 0; i < lists.size(); ++i) {
-      if (lists[i].empty()) continue;
-      const PlantKind& kind = kinds_.kinds()[i];
-      set_flowers(program, kind);
-      draw_instances((near ? kind.near : kind.mid).front(), instances_, first, lists[i].size(), drawn);
-      first += lists[i].size();
-    }
-  }
-  return drawn;
-}
-
-DrawCount PlantRenderer::draw_far() const {
-  DrawCount drawn;
-  far_program_.use();
-  far_program_.set("picture_side", float(PlantKinds::picture_side()));
-  for (std::size_t s = 0; s < selection_.far.size(); ++s) {
-    if (selection_.far[s].empty()) continue;
-    set_levels(far_program_, selection_.levels[s]);
-    drawn.triangles += 2 * draw_blocks(far_array_, arena_, far_draws_, selection_.far[s]);
-    ++drawn.draw_calls;
-  }
-  return drawn;
 }
 
 }  // namespace biotope

@@ -1,12 +1,15 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "render/frame.hpp"
 #include "render/plant_blocks.hpp"
 #include "render/plant_kinds.hpp"
+#include "render/plant_model_maker.hpp"
 #include "render/plant_selection.hpp"
 #include "render/terrain_renderer.hpp"
+#include "render/woody_blocks.hpp"
 
 namespace biotope {
 
@@ -49,6 +52,7 @@ class PlantRenderer {
   /// What throws shadows.
   [[nodiscard]] const PlantBlocks& blocks() const { return blocks_; }
   [[nodiscard]] const PlantArena& arena() const { return arena_; }
+  [[nodiscard]] const WoodyBlocks& woody() const { return woody_; }
   [[nodiscard]] const PlantKinds& kinds() const { return kinds_; }
   /// Metres around the eye within which a stratum's plants throw shade; 0 where they are not seen.
   [[nodiscard]] float shading_reach(Stratum stratum) const { return shading_reach_[std::size_t(stratum)]; }
@@ -64,16 +68,40 @@ class PlantRenderer {
   [[nodiscard]] bool sees(Stratum stratum, const PlantBudget& budget, const glm::dvec3& eye) const;
   /// Builds what was prepared, and waits for it until then.
   bool build(std::chrono::steady_clock::time_point until);
+  void show(std::shared_ptr<const MapsSnapshot> snapshot, std::shared_ptr<const GroundLines> lines, bool at_once);
+  /// Goes over to the snapshot whose models are being made, when they are there; waits for them until then.
+  bool follow_models(std::chrono::steady_clock::time_point until, UploadBudget upload);
   void upload_selection();
   [[nodiscard]] std::vector<FarDraw> shading_blocks(const glm::vec4& area) const;
+  /// A list of plants, and the mesh that is drawn for them.
+  struct MeshList {
+    const PlantMeshBuffers* mesh = nullptr;
+    const PlantKind* kind = nullptr;
+    std::span<const PlantInstance> plants;
+    std::size_t first = 0;  ///< in instances_
+    glm::vec2 level{0};
+    std::size_t first_command = 0;
+    std::size_t commands = 0;
+  };
+  [[nodiscard]] std::vector<MeshList> mesh_lists() const;
   DrawCount draw_meshes(const ShaderProgram& program) const;
   DrawCount draw_tufts(const ShaderProgram& program) const;
   DrawCount draw_far() const;
 
   std::shared_ptr<const MapsSnapshot> snapshot_;
+  /// What comes after it, as soon as the models of its plants are made.
+  struct Coming {
+    std::shared_ptr<const MapsSnapshot> snapshot;
+    std::shared_ptr<const GroundLines> lines;
+  };
+  std::optional<Coming> coming_;
+  PlantModelMaker models_;
+  /// Models that are made and are being uploaded.
+  std::shared_ptr<const PlantModels> made_;
   PlantKinds kinds_;
   PlantBlocks blocks_;
   PlantArena arena_;
+  WoodyBlocks woody_;
   PlantSelection selection_;
   ShaderProgram mesh_program_;
   ShaderProgram tuft_program_;
@@ -102,5 +130,9 @@ class PlantRenderer {
   glm::dvec3 prepared_eye_{0};
   std::array<float, strata> prepared_reach_{};
 };
+
+/// Draws a square for plants of the arena, block by block; returns how many.
+std::size_t draw_blocks(const VertexArray& array, const PlantArena& arena, const Buffer& commands,
+                        std::span<const FarDraw> blocks);
 
 }  // namespace biotope

@@ -8,14 +8,6 @@ namespace biotope {
 
 namespace {
 
-/// True when the plants of two webs stand by the same rules, so that blocks of one are good for the other.
-bool same_plants(const MapsSnapshot& a, const MapsSnapshot& b) {
-  if (a.web == b.web) return true;
-  if (!a.web || !b.web || a.web->levels.empty() || b.web->levels.empty() || a.web->levels[0] != b.web->levels[0]) return false;
-  return std::all_of(a.web->levels[0].begin(), a.web->levels[0].end(),
-                     [&](int i) { return a.web->species[std::size_t(i)].traits == b.web->species[std::size_t(i)].traits; });
-}
-
 /// What is eaten of a snapshot; of one whose animals are not known yet, what was eaten before it.
 std::shared_ptr<const Grazing> grazing_of(const PlantGround& before, const MapsSnapshot& now) {
   const MapsSnapshot* then = before.maps.get();
@@ -27,6 +19,13 @@ std::shared_ptr<const Grazing> grazing_of(const PlantGround& before, const MapsS
 }
 
 }  // namespace
+
+bool same_plants(const MapsSnapshot& a, const MapsSnapshot& b) {
+  if (a.web == b.web) return true;
+  if (!a.web || !b.web || a.web->levels.empty() || b.web->levels.empty() || a.web->levels[0] != b.web->levels[0]) return false;
+  return std::all_of(a.web->levels[0].begin(), a.web->levels[0].end(),
+                     [&](int i) { return a.web->species[std::size_t(i)].traits == b.web->species[std::size_t(i)].traits; });
+}
 
 bool plants_stay(const MapsSnapshot& before, const MapsSnapshot& now) {
   return same_extent(before.terrain(), now.terrain()) && before.document.seed == now.document.seed && same_plants(before, now) &&

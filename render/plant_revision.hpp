@@ -13,6 +13,9 @@ namespace biotope {
 /// Blocks of each stratum by (row, column).
 using PlantBlockPlaces = std::array<std::vector<std::pair<int, int>>, strata>;
 
+/// True when the plants of two snapshots' webs are the same species, which grow by the same rules.
+[[nodiscard]] bool same_plants(const MapsSnapshot& a, const MapsSnapshot& b);
+
 /// True when plants of one snapshot may stay where the other is shown: the same ground and seed, and plants that grow by the same
 /// rules.
 [[nodiscard]] bool plants_stay(const MapsSnapshot& before, const MapsSnapshot& now);

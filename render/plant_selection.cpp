@@ -9,9 +9,9 @@ namespace {
 
 constexpr float reference_pixels_per_radian = 579;
 /// Levels of detail overlap while a plant is between this share of a height and all of it; the same as in plant_lod.glsl.
-constexpr float overlap = 0.93F;
+constexpr float overlap = 0.95F;
 /// A plant fades out over this share of the ranks.
-constexpr float rank_fade = 0.1F;
+constexpr float rank_fade = 0.05F;
 /// Far plants begin to thin out at this share of the distance where none is left.
 constexpr float thinning = 0.3F;
 /// Within this distance every tuft is drawn, m; beyond it fewer and fewer.
@@ -50,8 +50,7 @@ float far_share(const PlantLevels& levels, float distance) {
 /// A block in sight, by its distance.
 struct SeenBlock {
   float distance;
-  const PlantBlock* block;
-  const PlantArena::Resident* resident;
+  const WoodyBlock* block;
 };
 
 class Selector {
@@ -75,17 +74,16 @@ class Selector {
     out_.undergrowth.resize(floor_.size());
   }
 
-  void woody(const PlantBlocks& blocks, const PlantArena& arena) {
+  void woody(const PlantBlocks& blocks, const WoodyBlocks& woody) {
     std::array<std::vector<SeenBlock>, 2> seen;
     for (const Stratum stratum : {Stratum::tree, Stratum::shrub}) {
       auto& list = seen[std::size_t(stratum)];
-      for (const auto& [place, block] : blocks.blocks(stratum)) {
-        const float distance = distance_of(place, block, stratum);
+      for (const WoodyBlock& block : woody.of(stratum)) {
+        const float distance = distance_of({block.row, block.column}, block.low, block.high, stratum);
         if (distance > budget_.reach(stratum)) continue;
-        const auto resident = arena.places(stratum).find(place);
-        list.push_back({distance, &block, resident != arena.places(stratum).end() ? &resident->second : nullptr});
+        list.push_back({distance, &block});
         if (reference_pixels_per_radian * tallest_[std::size_t(stratum)] * 1.12F >= overlap * budget_.mid_pixels * distance) {
-          gather(block);
+          gather(*block.block);
         }
       }
     }
@@ -105,7 +103,7 @@ class Selector {
   void tufts(const PlantBlocks& blocks) {
     std::vector<std::pair<float, const PlantInstance*>> tufts;
     for (const auto& [place, block] : blocks.blocks(Stratum::herb)) {
-      const float nearest = distance_of(place, block, Stratum::herb);
+      const float nearest = distance_of(place, block.low, block.high, Stratum::herb);
       if (nearest > budget_.herb_reach) continue;
       for (const PlantInstance& plant : block.plants) {
         // They come by rank: none of the others can be meant.
@@ -138,7 +136,8 @@ class Selector {
   void undergrowth(const PlantBlocks& blocks) {
     std::vector<Candidate> found;
     for (const auto& [place, block] : blocks.blocks(Stratum::herb)) {
-      if (block.undergrowth.empty() || distance_of(place, block, Stratum::herb) > budget_.herb_reach) continue;
+      if (block.undergrowth.empty()) continue;
+      if (distance_of(place, block.low, block.high, Stratum::herb) > budget_.herb_reach) continue;
       for (const PlantInstance& plant : block.undergrowth) {
         const PlantExtent& extent = floor_[std::size_t(plant.plant) - first_undergrowth_kind].extent;
         const glm::vec3 offset = glm::vec3(plant.x, plant.y, plant.z) - eye_;
@@ -159,15 +158,16 @@ class Selector {
   PlantSelection take() { return std::move(out_); }
 
  private:
-  /// Distance of a block's nearest point from the eye; infinite when nothing of it is in sight.
-  float distance_of(std::pair<int, int> place, const PlantBlock& block, Stratum stratum) const {
+  /// Distance from the eye of the nearest point of a block whose feet are between two heights; infinite when nothing of it is in
+  /// sight.
+  float distance_of(std::pair<int, int> place, float lowest, float highest, Stratum stratum) const {
     constexpr float out_of_sight = 1e9F;
-    if (block.low > block.high) return out_of_sight;
+    if (lowest > highest) return out_of_sight;
     const float side = PlantPlacement::block_side(stratum);
     const float margin = stratum == Stratum::herb ? 0.5F : largest_radius_;
-    const glm::vec3 low = glm::vec3(float(place.second) * side - margin, float(place.first) * side - margin, block.low) - eye_;
+    const glm::vec3 low = glm::vec3(float(place.second) * side - margin, float(place.first) * side - margin, lowest) - eye_;
     const glm::vec3 high = glm::vec3(float(place.second + 1) * side + margin, float(place.first + 1) * side + margin,
-                                     block.high + tallest_[std::size_t(stratum)]) -
+                                     highest + tallest_[std::size_t(stratum)]) -
                            eye_;
     if (!frustum_.meets_box(low, high)) return out_of_sight;
     return glm::length(glm::max(glm::max(low, -high), glm::vec3(0)));
@@ -204,7 +204,7 @@ class Selector {
       if (candidate.pixels <= overlap * mid) continue;
       const PlantInstance& plant = *candidate.plant;
       const std::size_t list = plant_models * std::size_t(plant.plant) + std::size_t(model_of(plant));
-      // Between two levels it is drawn in both, each with a part of its dots.
+      // Between two levels it is drawn in both, each with a part of its leaves.
       if (candidate.pixels > overlap * close) out_.close[list].push_back(plant);
       if (candidate.pixels > overlap * near && candidate.pixels < close) out_.near[list].push_back(plant);
       if (candidate.pixels < near) out_.mid[list].push_back(plant);
@@ -214,8 +214,8 @@ class Selector {
 
   /// Plants of a block that some share of them shows.
   static std::size_t plants_at(const PlantBlock& block, float share) {
-    if (share >= 1) return block.plants.size();
     const float rank = share * (1 + rank_fade);
+    if (share >= 1 || block.plants.empty() || block.plants.back().rank <= rank) return block.plants.size();
     const auto end = std::upper_bound(block.plants.begin(), block.plants.end(), rank,
                                       [](float value, const PlantInstance& plant) { return value < plant.rank; });
     return std::size_t(end - block.plants.begin());
@@ -225,7 +225,7 @@ class Selector {
     std::size_t sum = 0;
     for (const SeenBlock& block : seen) {
       const float share = far_share(levels, block.distance);
-      if (share > 0) sum += std::size_t(float(block.block->plants.size()) * std::min(1.0F, share * (1 + rank_fade)));
+      if (share > 0) sum += std::size_t(float(block.block->plants) * std::min(1.0F, share * (1 + rank_fade)));
     }
     return sum;
   }
@@ -235,7 +235,7 @@ class Selector {
     PlantLevels& levels = out_.levels[stratum];
     // Where there was no room for a block, none is drawn beyond it either.
     for (const SeenBlock& block : seen) {
-      if (block.resident == nullptr) reach = std::min(reach, std::max(block.distance, 50.0F));
+      if (!block.block->resident) reach = std::min(reach, std::max(block.distance, 50.0F));
     }
     const auto set = [&](float to) {
       levels.far_from = thinning * to;
@@ -254,11 +254,12 @@ class Selector {
     std::size_t sum = 0;
     for (const SeenBlock& block : seen) {
       const float share = far_share(levels, block.distance);
-      if (block.resident == nullptr || share <= 0) continue;
+      if (!block.block->resident || share <= 0) continue;
       // A block that waits for its upload shows what it was.
-      const std::size_t plants = std::min(plants_at(*block.block, share), std::size_t(block.resident->run.count));
+      const SlotRuns::Run& run = block.block->there.run;
+      const std::size_t plants = std::min(plants_at(*block.block->block, share), std::size_t(run.count));
       if (plants == 0) continue;
-      out_.far[stratum].push_back({4, std::uint32_t(plants), 0, block.resident->run.first});
+      out_.far[stratum].push_back({4, std::uint32_t(plants), 0, run.first});
       sum += plants;
     }
     out_.count += sum;
@@ -285,18 +286,19 @@ PlantBudget PlantBudget::of(float quality) {
   const auto times = [](std::size_t count, float factor) { return std::size_t(float(count) * factor); };
   // Below medium the meshes are what costs most: fewer of them than of the rest.
   const float meshes = q <= 1 ? std::pow(q, 2.5F) : q;
-  budget.near = times(budget.near, meshes);
+  budget.near = times(budget.near, q <= 1 ? std::pow(q, 1.8F) : q);
   budget.mid = times(budget.mid, meshes);
   budget.close = times(budget.close, std::pow(q, 1.5F));
   budget.undergrowth = times(budget.undergrowth, q <= 1 ? q * q : std::pow(q, 1.6F));
   // A GPU draws far plants by the million; a processor counts each.
   const float far = q <= 1 ? q : std::pow(q, 2.9F);
   budget.far = times(budget.far, far);
-  budget.resident = std::uint32_t(times(budget.resident, q <= 1 ? q : std::pow(q, 1.3F)));
+  budget.resident = std::uint32_t(times(budget.resident, q <= 1 ? q : std::pow(q, 1.3F) * std::sqrt(std::max(1.0F, 0.5F * q))));
   budget.tufts = times(budget.tufts, q <= 1 ? q : std::pow(q, 1.6F));
   const float farther = q <= 1 ? std::sqrt(q) : q;
   budget.tree_reach *= farther;
-  budget.shrub_reach *= farther;
+  // A strong graphics card has room for shrubs from hill to hill.
+  budget.shrub_reach *= farther * std::pow(std::max(1.0F, 0.5F * q), 0.6F);
   budget.herb_reach *= std::sqrt(q);
   budget.blade_reach *= q <= 1 ? std::sqrt(q) : q;
   if (q > 1) {
@@ -308,11 +310,11 @@ PlantBudget PlantBudget::of(float quality) {
   return budget;
 }
 
-PlantSelection select_plants(const PlantBlocks& blocks, const PlantArena& arena, const PlantKinds& plants,
+PlantSelection select_plants(const PlantBlocks& blocks, const WoodyBlocks& woody, const PlantKinds& plants,
                              const SpeciesVisibility& visible, const PlantBudget& budget, const FrameUniforms& frame,
                              const Frustum& frustum) {
   Selector selector(plants, visible, budget, frame, frustum);
-  selector.woody(blocks, arena);
+  selector.woody(blocks, woody);
   selector.tufts(blocks);
   selector.undergrowth(blocks);
   return selector.take();

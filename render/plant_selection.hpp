@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "render/frame.hpp"
-#include "render/plant_arena.hpp"
 #include "render/plant_blocks.hpp"
 #include "render/plant_kinds.hpp"
+#include "render/woody_blocks.hpp"
 
 namespace biotope {
 
@@ -89,7 +89,7 @@ struct PlantSelection {
 
 /// Chooses level of detail by size on the screen and by the budget: a function of blocks and view alone. Far plants are drawn
 /// block by block from the arena, as many of each block as its distance leaves.
-[[nodiscard]] PlantSelection select_plants(const PlantBlocks& blocks, const PlantArena& arena, const PlantKinds& plants,
+[[nodiscard]] PlantSelection select_plants(const PlantBlocks& blocks, const WoodyBlocks& woody, const PlantKinds& plants,
                                            const SpeciesVisibility& visible, const PlantBudget& budget,
                                            const FrameUniforms& frame, const Frustum& frustum);
 

@@ -29,10 +29,10 @@ struct Ball {
   float radius;
 };
 
-Ball ball_of(std::pair<int, int> place, const PlantBlock& block, float tallest) {
+Ball ball_of(const WoodyBlock& block, float tallest) {
   const double side = woody_block_side;
   const double rise = 0.5 * double(block.high - block.low + tallest);
-  return {{(place.second + 0.5) * side, (place.first + 0.5) * side, double(block.low) + rise},
+  return {{(block.column + 0.5) * side, (block.row + 0.5) * side, double(block.low) + rise},
           float(std::hypot(0.71 * side, rise)) + 4};
 }
 
@@ -60,7 +60,7 @@ Casters near_casters(const PlantRenderer& plants, const PlantShadowPicture& pict
       if (species < picture.visible.size() && !picture.visible[species]) continue;
       const float half = 0.5F * kinds[k].extent.height * plant.scale;
       const glm::vec3 centre(glm::dvec3(plant.x, plant.y, plant.z + half) - glm::dvec3(picture.origin));
-      const glm::vec2 at(glm::dot(picture.right, centre), glm::dot(picture.up, centre));
+      const glm::vec2 at(glm::dot(picture.light.right, centre), glm::dot(picture.light.up, centre));
       const glm::vec2 away = glm::abs(at - glm::vec2(picture.from_origin));
       if (std::max(away.x, away.y) >= picture.half_side + half + kinds[k].extent.radius * plant.scale) continue;
       if (glm::length(glm::dvec2(centre)) > mesh_reach) {
@@ -74,6 +74,7 @@ Casters near_casters(const PlantRenderer& plants, const PlantShadowPicture& pict
 }
 
 void set_square(const ShaderProgram& program, const PlantShadowPicture& picture) {
+  program.set("cascade", picture.cascade);
   program.set("origin", picture.origin);
   program.set("square", glm::vec4(glm::vec2(picture.from_origin), picture.half_side, picture.from_origin.z));
 }
@@ -82,9 +83,15 @@ void set_square(const ShaderProgram& program, const PlantShadowPicture& picture)
 
 PlantShadowPicture shadow_picture(const PlantRenderer& plants, const PlantShadowLook& look, const ShadowView& view, int cascade) {
   const ShadowCascade& square = view.cascades[std::size_t(cascade)];
-  PlantShadowPicture out{
-      cascade,      view.right, view.up, view.toward, view.reach, square.half_side, square.origin, square.from_origin, look.web,
-      look.visible, look.month, {},      false,       {}};
+  PlantShadowPicture out;
+  out.cascade = cascade;
+  out.light = square.light;
+  out.half_side = square.half_side;
+  out.origin = square.origin;
+  out.from_origin = square.from_origin;
+  out.web = look.web;
+  out.visible = look.visible;
+  out.month = look.month;
   out.meshes = cascade == 0 && square.half_side <= widest_for_meshes;
   if (out.meshes && glm::length(glm::dvec2(look.wind)) > 0) {
     out.wind = glm::vec3(look.wind.x, look.wind.y, std::floor(look.wind.z / wind_step) * wind_step);
@@ -95,16 +102,14 @@ PlantShadowPicture shadow_picture(const PlantRenderer& plants, const PlantShadow
     const double known = double(plants.shading_reach(stratum));
     const double settled = std::max(known - 0.9 * double(square.half_side) - side, 0.4 * known);
     const float tallest = tallest_of(plants.kinds().kinds(), stratum);
-    const PlantArena::Places& places = plants.arena().places(stratum);
-    for (const auto& [place, block] : plants.blocks().blocks(stratum)) {
-      const auto resident = places.find(place);
-      if (block.plants.empty() || (!out.meshes && resident == places.end())) continue;
-      const glm::dvec2 middle((place.second + 0.5) * side, (place.first + 0.5) * side);
+    for (const WoodyBlock& block : plants.woody().of(stratum)) {
+      if (block.plants == 0 || (!out.meshes && !block.resident)) continue;
+      const glm::dvec2 middle((block.column + 0.5) * side, (block.row + 0.5) * side);
       if (glm::distance(middle, glm::dvec2(look.eye)) > known || glm::distance(middle, glm::dvec2(square.origin)) > settled)
         continue;
-      const Ball ball = ball_of(place, block, tallest);
+      const Ball ball = ball_of(block, tallest);
       if (!throws_into(view, cascade, ball.centre, ball.radius)) continue;
-      out.blocks.push_back({stratum, place.first, place.second, out.meshes ? block.version : resident->second.version});
+      out.blocks.push_back({stratum, block.row, block.column, out.meshes ? block.version : block.there.version});
     }
   }
   return out;

@@ -32,12 +32,9 @@ struct PlantShadowPicture {
     std::uint32_t version = 0;
     bool operator==(const Block&) const = default;
   };
-  /// The square, as ShadowView and ShadowCascade have it.
+  /// The square, as ShadowCascade has it.
   int cascade = 0;
-  glm::vec3 right{0};
-  glm::vec3 up{0};
-  glm::vec3 toward{0};
-  float reach = 0;
+  ShadowLight light;
   float half_side = 0;
   glm::vec3 origin{0};
   glm::vec3 from_origin{0};

@@ -26,11 +26,10 @@ static_assert(int(cell_part * shadow_texels) % 2 == 0);
 
 /// `Shadows` of shaders/landscape/shadow.glsl.
 struct ShadowUniforms {
-  glm::vec4 right{0};  ///< w: 1 / ShadowView::reach
-  glm::vec4 up{0};
-  glm::vec4 toward{0};                                ///< w: strength
+  std::array<glm::vec4, shadow_cascades> right{};     ///< w: 1 / ShadowLight::reach
+  std::array<glm::vec4, shadow_cascades> up{};        ///< w: ShadowCascade::depth
+  std::array<glm::vec4, shadow_cascades> toward{};    ///< w: strength
   std::array<glm::vec4, shadow_cascades> cascades{};  ///< centre, half side, softness
-  glm::vec4 depths{0};                                ///< ShadowCascade::depth of each
 };
 
 /// A direction in steps of light_step.
@@ -42,21 +41,15 @@ glm::vec3 stepped(const glm::vec3& light) {
 }
 
 /// Lays a square whose middle should be at a place of the land on its lattice.
-void lay(ShadowCascade& cascade, const ShadowView& view, const glm::dvec3& middle, const glm::dvec3& eye) {
-  const glm::dvec3 right(view.right);
-  const glm::dvec3 up(view.up);
-  const glm::dvec3 toward(view.toward);
-  const auto in_light = [&](const glm::dvec3& at) {
-    return glm::dvec3(glm::dot(right, at), glm::dot(up, at), glm::dot(toward, at));
-  };
+ShadowCascade laid(ShadowCascade cascade, const glm::dvec3& middle, const glm::dvec3& eye) {
+  const ShadowLight& light = cascade.light;
   const double cell = cell_part * double(cascade.half_side);
-  const glm::dvec3 at = glm::round(in_light(middle) / cell) * cell;
-  const glm::dvec3 origin = glm::round(right * at.x + up * at.y + toward * at.z);
+  const glm::dvec3 at = glm::round(light.of(middle) / cell) * cell;
+  const glm::dvec3 origin =
+      glm::round(glm::dvec3(light.right) * at.x + glm::dvec3(light.up) * at.y + glm::dvec3(light.toward) * at.z);
   cascade.origin = glm::vec3(origin);
-  cascade.from_origin = glm::vec3(at - in_light(origin));
-  const glm::dvec3 from_eye = at - in_light(eye);
-  cascade.centre = glm::vec2(from_eye);
-  cascade.depth = float(from_eye.z);
+  cascade.from_origin = glm::vec3(at - light.of(origin));
+  return seen_from(cascade, eye);
 }
 
 }  // namespace
@@ -64,29 +57,36 @@ void lay(ShadowCascade& cascade, const ShadowView& view, const glm::dvec3& middl
 ShadowView shadow_view(const Camera& camera, double above, const glm::vec3& light, float strength) {
   ShadowView view;
   view.strength = strength;
-  view.toward = stepped(glm::normalize(glm::vec3(light.x, light.y, std::max(light.z, lowest_light))));
+  ShadowLight of;
+  of.toward = stepped(glm::normalize(glm::vec3(light.x, light.y, std::max(light.z, lowest_light))));
   // Turns with the light alone.
-  const glm::vec3 level =
-      std::abs(view.toward.z) > 0.999F ? glm::vec3(1, 0, 0) : glm::normalize(glm::vec3(-view.toward.y, view.toward.x, 0));
-  view.right = level;
-  view.up = glm::cross(view.toward, level);
+  of.right = std::abs(of.toward.z) > 0.999F ? glm::vec3(1, 0, 0) : glm::normalize(glm::vec3(-of.toward.y, of.toward.x, 0));
+  of.up = glm::cross(of.toward, of.right);
   const double wanted = std::clamp(std::sqrt(above / growing_height), 1.0, largest);
   const auto growth = float(std::pow(growth_step, std::round(std::log(wanted) / std::log(growth_step))));
   const glm::dvec3 ground = camera.position - glm::dvec3(0, 0, above);
   const glm::dvec2 ahead(camera.forward());
-  view.reach = 400 + 2.5F * half_sides.back() * growth;
+  of.reach = 400 + 2.5F * half_sides.back() * growth;
   for (std::size_t i = 0; i < shadow_cascades; ++i) {
     ShadowCascade& cascade = view.cascades[i];
+    cascade.light = of;
     cascade.half_side = half_sides[i] * growth;
     cascade.softness = softness[i] * growth;
-    lay(cascade, view, ground + glm::dvec3(ahead * (0.7 * double(cascade.half_side)), 0), camera.position);
+    cascade = laid(cascade, ground + glm::dvec3(ahead * (0.7 * double(cascade.half_side)), 0), camera.position);
   }
   return view;
 }
 
+ShadowCascade seen_from(ShadowCascade cascade, const glm::dvec3& eye) {
+  const glm::dvec3 from_eye = cascade.light.of(glm::dvec3(cascade.origin) - eye) + glm::dvec3(cascade.from_origin);
+  cascade.centre = glm::vec2(from_eye);
+  cascade.depth = float(from_eye.z);
+  return cascade;
+}
+
 bool casts_into(const ShadowView& view, int cascade, const glm::vec3& centre, float radius) {
   const ShadowCascade& square = view.cascades[std::size_t(cascade)];
-  const glm::vec2 at(glm::dot(view.right, centre), glm::dot(view.up, centre));
+  const glm::vec2 at(glm::dot(square.light.right, centre), glm::dot(square.light.up, centre));
   const glm::vec2 away = glm::abs(at - square.centre);
   return std::max(away.x, away.y) < square.half_side + radius;
 }
@@ -94,7 +94,7 @@ bool casts_into(const ShadowView& view, int cascade, const glm::vec3& centre, fl
 bool throws_into(const ShadowView& view, int cascade, const glm::dvec3& centre, float radius) {
   const ShadowCascade& square = view.cascades[std::size_t(cascade)];
   const glm::vec3 from_origin(centre - glm::dvec3(square.origin));
-  const glm::vec2 at(glm::dot(view.right, from_origin), glm::dot(view.up, from_origin));
+  const glm::vec2 at(glm::dot(square.light.right, from_origin), glm::dot(square.light.up, from_origin));
   const glm::vec2 away = glm::abs(at - glm::vec2(square.from_origin));
   return std::max(away.x, away.y) < square.half_side + radius;
 }
@@ -119,13 +119,12 @@ void ShadowMap::begin(const ShadowView& view) {
   }
   cascades_ = view.cascades;
   ShadowUniforms uniforms;
-  uniforms.right = glm::vec4(view.right, 1 / view.reach);
-  uniforms.up = glm::vec4(view.up, 0);
-  uniforms.toward = glm::vec4(view.toward, view.strength);
   for (std::size_t i = 0; i < shadow_cascades; ++i) {
     const ShadowCascade& cascade = view.cascades[i];
+    uniforms.right[i] = glm::vec4(cascade.light.right, 1 / cascade.light.reach);
+    uniforms.up[i] = glm::vec4(cascade.light.up, cascade.depth);
+    uniforms.toward[i] = glm::vec4(cascade.light.toward, view.strength);
     uniforms.cascades[i] = {cascade.centre, cascade.half_side, cascade.softness};
-    uniforms.depths[glm::length_t(i)] = cascade.depth;
   }
   stream(uniforms_, std::span<const ShadowUniforms>(&uniforms, 1));
   glBindBufferBase(GL_UNIFORM_BUFFER, binding, uniforms_.name());

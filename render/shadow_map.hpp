@@ -8,9 +8,23 @@
 
 namespace biotope {
 
+/// A frame of directions around the light.
+struct ShadowLight {
+  glm::vec3 right{1, 0, 0};
+  glm::vec3 up{0, 1, 0};
+  glm::vec3 toward{0, 0, 1};  ///< toward the light
+  float reach = 1;            ///< metres from where depth is one half to where it is 0 and 1
+  bool operator==(const ShadowLight&) const = default;
+  /// A place as metres to the right, up and toward the light.
+  [[nodiscard]] glm::dvec3 of(const glm::dvec3& at) const {
+    return {glm::dot(glm::dvec3(right), at), glm::dot(glm::dvec3(up), at), glm::dot(glm::dvec3(toward), at)};
+  }
+};
+
 /// A square of the plane across the light that is pictured for shadows. It lies on a lattice of the land: while the eye stays
 /// within a cell of it the square is the same, and what is pictured in it can be kept.
 struct ShadowCascade {
+  ShadowLight light;
   glm::vec2 centre{0};    ///< metres to the light's right and up from the eye
   float depth = 0;        ///< metres toward the light from the eye where depth is one half
   float half_side = 1;    ///< m
@@ -23,11 +37,7 @@ inline constexpr int shadow_cascades = 3;
 
 /// What the light sees around the camera: near, farther, and far squares.
 struct ShadowView {
-  glm::vec3 right{1, 0, 0};
-  glm::vec3 up{0, 1, 0};
-  glm::vec3 toward{0, 0, 1};  ///< toward the light
-  float reach = 1;            ///< metres from where depth is one half to where it is 0 and 1
-  float strength = 0;         ///< 0: no shadows, 1: full ones
+  float strength = 0;  ///< 0: no shadows, 1: full ones
   std::array<ShadowCascade, shadow_cascades> cascades;
 };
 
@@ -38,6 +48,9 @@ inline constexpr int shadow_texels = 2048;
 /// texels, so that shadows do not swim when it moves. `light` points toward the light, which moves in steps too small to be seen;
 /// one that stands low is raised a little, so that shadows have an end.
 [[nodiscard]] ShadowView shadow_view(const Camera& camera, double above, const glm::vec3& light, float strength);
+
+/// A square of an earlier view, which stays where it is on the land, as another eye has it.
+[[nodiscard]] ShadowCascade seen_from(ShadowCascade cascade, const glm::dvec3& eye);
 
 /// True when a ball (centre relative to the eye, m) may throw its shadow into a cascade.
 [[nodiscard]] bool casts_into(const ShadowView& view, int cascade, const glm::vec3& centre, float radius);

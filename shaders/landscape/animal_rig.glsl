@@ -191,9 +191,9 @@ void main() {
   spotted = stand.w < 0.0 && abs(skeleton.look.x) < skeleton.look.w ? skeleton.look.w : skeleton.look.x;
   veil = vec4(apply_haze(vec3(0.0), offset, 1.0), haze(offset));
 #ifdef SHADOW_CASTER
-  vec3 seen = in_light(offset);
+  vec3 seen = in_light(cascade, offset);
   vec4 square = shadows.cascades[cascade];
-  gl_Position = vec4((seen.xy - square.xy) / square.z, (shadows.depths[cascade] - seen.z) * shadows.right.w, 1.0);
+  gl_Position = vec4((seen.xy - square.xy) / square.z, (shadows.up[cascade].w - seen.z) * shadows.right[cascade].w, 1.0);
 #else
   gl_Position = frame.view_projection * vec4(offset, 1.0);
 #endif

@@ -1,7 +1,6 @@
 #version 450 core
 #include "landscape/frame.glsl"
 #include "landscape/atmosphere.glsl"
-#include "landscape/plant_dither.glsl"
 #include "landscape/snow.glsl"
 layout(binding = 9) uniform sampler2DArray pictures;
 layout(binding = 10) uniform sampler2DArray surfaces;
@@ -13,6 +12,7 @@ flat in float shaded;
 flat in vec4 tone;
 flat in float back;
 flat in vec2 shown;
+flat in vec4 clumps;  // across and up, where the crown begins, the plant's own
 flat in float snow;
 flat in float bare;
 flat in float view;
@@ -20,15 +20,16 @@ in vec4 veil;
 out vec4 colour;
 
 void main() {
-  float threshold = dither();
-  // One view gives way to the next dot by dot.
-  vec3 at = vec3(picture.xy, picture.z + floor(view) + step(fract(7.0 * threshold), fract(view) - 1e-3));
+  // Clumps of leaves go over one by one, a trunk at once: to and from meshes, and from one view to the next.
+  vec2 clump = floor(picture.xy * clumps.xy);
+  float turn = picture.y < clumps.z ? 0.5 : fract(dot(clump, vec2(0.75487767, 0.56984029)) + clumps.w);
+  vec3 at = vec3(picture.xy, picture.z + floor(view) + step(fract(7.0 * turn), fract(view) - 1e-3));
   vec4 base = texture(pictures, at);
   vec2 across = fwidth(picture.xy) * picture_side;
   float level = max(0.0, log2(max(across.x, across.y)));
   // Bare crowns are thinner than a pixel: where they cover some of it, they are seen.
   float least = mix(0.5 / (1.0 + 0.14 * level), 0.22, bare);
-  if (base.a < least || threshold < shown.x || threshold >= shown.y) discard;
+  if (base.a < least || turn < shown.x || turn >= shown.y) discard;
   vec4 surface = texture(surfaces, at);
   vec3 normal = normalize(surface.xyz / max(base.a, 0.05) * 2.0 - 1.0);
   float open = surface.a / max(base.a, 0.05);

@@ -20,6 +20,7 @@ flat out float shaded;    // share of light that other crowns take from its foot
 flat out vec4 tone;       // w: sunlit
 flat out float back;      // how much one looks toward the light
 flat out vec2 shown;
+flat out vec4 clumps;     // of leaves across and up, where the crown begins, the plant's own
 flat out float bare;      // share of leaves fallen
 flat out float snow;      // on what looks up
 out vec4 veil;
@@ -34,6 +35,8 @@ void main() {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
     return;
   }
+  float across = 9.0;
+  clumps = vec4(across, across * clamp(0.5 * height / radius, 0.5, 3.0), kinds.form[plant].z, fract(own.y * 57.3));
   vec3 stand = own_stand(own.y);
   height *= stand.z;
   vec3 centre = foot + vec3(0.0, 0.0, 0.5 * height);

@@ -1,9 +1,9 @@
 #version 450 core
 #include "landscape/frame.glsl"
 #include "landscape/atmosphere.glsl"
-#include "landscape/plant_dither.glsl"
 #include "landscape/plant_light.glsl"
 #ifdef WITH_SHADOWS
+#include "landscape/plant_dither.glsl"
 #include "landscape/shadow_view.glsl"
 #include "landscape/shadow.glsl"
 in vec3 light;
@@ -16,17 +16,15 @@ in vec3 card;
 in vec3 leaf_tone;  // without shadows: of what is lit already
 in vec3 wood_tone;
 in vec4 veil;
-flat in vec2 shown;
 out vec4 colour;
 
 void main() {
   // Sharper than a mean would be: leaves stay leaves.
   vec4 leaf = texture(leaves, card, -0.5);
-  float threshold = dither();
-  if (leaf.a < 0.5 || threshold < shown.x || threshold >= shown.y) discard;
+  if (leaf.a < 0.5) discard;
 #ifdef WITH_SHADOWS
   // Leaves pass light on to each other.
-  vec3 all_light = light + direct * mix(1.0, light_past_plants(in_shadow.xyz, nearer, in_shadow.w, threshold), mix(1.0 - 0.32 * smoothstep(0.4, 1.2, nearer), 1.0, leaf.b));
+  vec3 all_light = light + direct * mix(1.0, light_past_plants(in_shadow.xyz, nearer, in_shadow.w, dither()), mix(1.0 - 0.32 * smoothstep(0.4, 1.2, nearer), 1.0, leaf.b));
 #else
   const float all_light = 1.0;
 #endif

@@ -30,14 +30,14 @@ out vec3 direct;     // what of the light the sun sends
 out vec4 in_shadow;  // relative to the eye; w: share of the sun that is thought to come here
 flat out float nearer;
 #endif
-flat out vec2 shown;  // of the dither's thresholds
 
 void main() {
   int plant = int(own.w + 0.5);
   float height = kinds.form[plant].y * stands.w;
   vec3 foot = stands.xyz - frame.eye.xyz;
   float pixels = seen_pixels(foot, height, own.z);
-  shown = vec2(level_share(level.x, pixels), level_share(level.y, pixels));
+  float turn = turn_of_card(material.z, own.y);
+  bool shown = turn >= level_share(level.x, pixels) && turn < level_share(level.y, pixels);
 
   float c = cos(own.x);
   float s = sin(own.x);
@@ -85,5 +85,5 @@ void main() {
   // Twigs are thinner than the dots that show them: what is behind them shines through, the more the farther they are.
   float thin = bare && material.w > 0.5 ? smoothstep(4.0, 45.0, length(foot)) : 0.0;
   veil = vec4(haze_colour(offset), mix(haze(offset), 1.0, 0.05 * thin));
-  gl_Position = shown.x < shown.y ? frame.view_projection * vec4(offset, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
+  gl_Position = shown ? frame.view_projection * vec4(offset, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
 }

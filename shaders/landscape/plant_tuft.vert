@@ -27,14 +27,15 @@ out vec3 card;
 out vec3 tone;
 out vec3 flower_tone;
 out vec4 veil;
-flat out vec2 shown;
 
 void main() {
   int plant = int(own.w + 0.5);
   vec3 foot = stands.xyz - frame.eye.xyz;
   float distance_to = length(foot);
   float given_share = smoothstep(abs(given.x), given.y, distance_to);
-  shown = given.x < 0.0 ? vec2(1.0 - given_share, 1.0) : vec2(0.0, 1.0 - given_share);
+  // Blade by blade.
+  float turn = fract(material.z * 5.37 + own.y * 3.1);
+  bool shown = given.x < 0.0 ? turn >= 1.0 - given_share : turn < 1.0 - given_share;
 
   float c = cos(own.x);
   float s = sin(own.x);
@@ -86,7 +87,7 @@ void main() {
   flower_tone = mix(0.86 * flower_colour, leaf, 0.62 * smoothstep(9.0, 38.0, distance_to)) * light;
   card = vec3(card_uv, material.x);
   veil = vec4(haze_colour(offset), haze(offset));
-  gl_Position = shown.x < shown.y ? frame.view_projection * vec4(offset, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
+  gl_Position = shown ? frame.view_projection * vec4(offset, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
   // Under snow only some tall ones look out.
   if (snow > 0.4 && stands.w < 0.75 + fract(own.y * 3.3)) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
   // Flowers (pictures 7 and 10) that are not out are not drawn.

@@ -12,6 +12,7 @@ layout(location = 2) in vec2 card_uv;
 layout(location = 3) in vec4 material;  // picture, open, fall, leaf
 layout(location = 4) in vec4 stands;    // foot, scale
 layout(location = 5) in vec4 own;       // turn, tint, rank, plant
+uniform int cascade;
 uniform vec3 origin;  // place of the land, m
 uniform vec4 square;  // from there: middle, half side, depth of the middle
 out vec3 card;
@@ -28,6 +29,6 @@ void main() {
   at.xy += stand.xy * at.z;
   at += sway(at, height, stands.xy, material.w, fract(material.z), own.y);
   card = vec3(card_uv, material.z < own_bare(plant, own.y) ? 8.0 : material.x);
-  vec3 seen = in_light(stands.xyz - origin + at);
-  gl_Position = vec4((seen.xy - square.xy) / square.z, (square.w - seen.z) * shadows.right.w, 1.0);
+  vec3 seen = in_light(cascade, stands.xyz - origin + at);
+  gl_Position = vec4((seen.xy - square.xy) / square.z, (square.w - seen.z) * shadows.right[cascade].w, 1.0);
 }

@@ -6,6 +6,7 @@
 #include "landscape/shadow_view.glsl"
 layout(location = 4) in vec4 stands;
 layout(location = 5) in vec4 own;
+uniform int cascade;
 uniform vec3 origin;  // place of the land, m
 uniform vec4 square;  // from there: middle, half side, depth of the middle
 const float texels = 2048.0;
@@ -22,7 +23,7 @@ void main() {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
     return;
   }
-  vec3 toward = shadows.toward.xyz;
+  vec3 toward = shadows.toward[cascade].xyz;
   float elevation = asin(clamp(toward.z, 0.0, 1.0));
   int view = elevation < 0.45 ? 0 : elevation < 1.03 ? 1 : 2;
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
@@ -34,9 +35,9 @@ void main() {
   float top_seen = foot_seen + radius * sin(elevation);
   float up = (corner.y * top_pictured + foot_pictured) * (top_seen + foot_seen) / (top_pictured + foot_pictured) - foot_seen;
   vec3 lean = vec3(stand.xy * (0.5 + 0.5 * corner.y) * height, 0.0);
-  vec3 seen = in_light(stands.xyz - origin + vec3(0.0, 0.0, 0.5 * height) + lean);
+  vec3 seen = in_light(cascade, stands.xyz - origin + vec3(0.0, 0.0, 0.5 * height) + lean);
   // Along the light it lies where the stem is.
   vec3 at = seen + vec3(corner.x * radius, up, corner.y * 0.5 * height * toward.z);
   picture = vec3(vec2(corner.x * (own.x > 3.14159 ? -1.0 : 1.0), corner.y) * 0.5 + 0.5, float((plant * 2 + own_model(own.y)) * 3 + view));
-  gl_Position = vec4((at.xy - square.xy) / square.z, (square.w - at.z) * shadows.right.w, 1.0);
+  gl_Position = vec4((at.xy - square.xy) / square.z, (square.w - at.z) * shadows.right[cascade].w, 1.0);
 }

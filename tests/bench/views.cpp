@@ -1,8 +1,9 @@
 // How long pictures of the landscape take: the first view at eye height and the one from above, at each quality, while the camera
 // turns and walks and leaves and water move; how soon plants answer an edit; what a graphics card is asked to hold.
-//   bench_views [SAMPLE] [WIDTHxHEIGHT] [FRAMES] [QUALITY]   SAMPLE: valley (the default), valley-1m, alpine, canyon; 960x540;
-//   60; all qualities, or one at eye height alone. 'processor' is the time of all threads: it tells programs apart where others
-//   run.
+//   bench_views [SAMPLE] [WIDTHxHEIGHT] [FRAMES] [QUALITY] [big]   SAMPLE: valley (the default), valley-1m, alpine, canyon;
+//   960x540; 60; all qualities, or one at eye height alone. 'processor' is the time of all threads: it tells programs apart where
+//   others run. big: only the scene of a million plants and two thousand animals (big_scene.hpp); trees=SHARE, shrubs=SHARE and
+//   animals=TIMES make it more or less crowded.
 #include <epoxy/gl.h>
 #include <sys/resource.h>
 
@@ -17,6 +18,7 @@
 #include "core/pipeline/solve.hpp"
 #include "render/landscape_renderer.hpp"
 #include "render/offscreen_context.hpp"
+#include "tests/bench/big_scene.hpp"
 
 using namespace biotope;
 
@@ -47,6 +49,8 @@ struct Wanted {
   int frames = 60;
   bool rest = false;
   bool calm = false;
+  bool big = false;
+  Crowding crowding;
   LandscapeOptions options;
 };
 
@@ -60,6 +64,10 @@ void leave_out(Wanted& wanted, const std::string& word) {
   if (word == "animals") options.animals = false;
   if (word == "rest") wanted.rest = true;
   if (word == "calm") wanted.calm = true;
+  if (word == "big") wanted.big = true;
+  (void)std::sscanf(word.c_str(), "trees=%f", &wanted.crowding.trees);
+  (void)std::sscanf(word.c_str(), "shrubs=%f", &wanted.crowding.shrubs);
+  (void)std::sscanf(word.c_str(), "animals=%f", &wanted.crowding.animals);
 }
 
 double share_of(const std::vector<double>& sorted, double part) {
@@ -171,6 +179,12 @@ int main(int count, char** arguments) {
   if (!snapshot || !renderer) {
     std::printf("%s\n", (snapshot ? renderer.error() : snapshot.error()).message.c_str());
     return 1;
+  }
+  if (wanted.big) {
+    snapshot = solve(crowded(**snapshot, wanted.crowding), nullptr, {});
+    if (!snapshot) return 1;
+    measure_big_scene(**renderer, *snapshot, wanted.qualities.front(), size.width, size.height, wanted.frames);
+    return 0;
   }
   (*renderer)->set_snapshot(*snapshot);
   measure(**renderer, "eye", first_view(**snapshot), size, wanted);

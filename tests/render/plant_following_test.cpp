@@ -1,5 +1,6 @@
 // Plants that follow edits while a window draws: found and planted on other threads, they come to the same as at once.
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "render/plant_blocks.hpp"
@@ -98,4 +99,32 @@ TEST_CASE("no plant of one landscape is left in the next, though it comes while 
   for (const auto& [stratum, reach] : looked_at) CHECK(blocks.blocks(stratum).empty());
   REQUIRE(frame(blocks, Clock::now() + std::chrono::minutes(1)));
   check_planted(blocks, elsewhere);
+}
+
+TEST_CASE("Along a way of small steps every block within reach is there, though blocks are not looked for at every step") {
+  const auto maps = wood();
+  PlantBlocks blocks;
+  blocks.set_snapshot(maps);
+  constexpr float reach = 120;
+  double x = 100;
+  double y = 90;
+  for (int step = 0; step < 120; ++step) {
+    x += 2.1;
+    y += 1.3 * ((step / 20) % 2 == 0 ? 1 : -1);
+    for (const Stratum stratum : {Stratum::tree, Stratum::herb}) {
+      REQUIRE(blocks.build(stratum, x, y, reach, Clock::now() + std::chrono::minutes(1)));
+      CHECK(blocks.whole_to(stratum) == reach);
+      const double side = PlantPlacement::block_side(stratum);
+      const auto across = int(512 / side);
+      int lacking = 0;
+      for (int row = 0; row < across; ++row) {
+        for (int column = 0; column < across; ++column) {
+          const double dx = std::max({column * side - x, x - (column + 1) * side, 0.0});
+          const double dy = std::max({row * side - y, y - (row + 1) * side, 0.0});
+          lacking += std::hypot(dx, dy) <= double(reach) && !blocks.blocks(stratum).contains({row, column}) ? 1 : 0;
+        }
+      }
+      CHECK(lacking == 0);
+    }
+  }
 }
