@@ -138,22 +138,34 @@ bool choose_plan(EditorState& state, int plan) {
   return true;
 }
 
+namespace {
+
+/// The species chosen in a list, when one of its herds has a plan; -1: none.
+int species_with_plan(const EditorState& state) {
+  const auto of_species = [&](const DailyPlan& plan) { return plan.species == state.selected_species; };
+  return std::ranges::any_of(*state.shown->plans, of_species) ? state.selected_species : -1;
+}
+
+}  // namespace
+
 int neighbouring_plan(const EditorState& state, int step) {
   if (!state.shown || !state.shown->plans || state.shown->plans->empty()) return -1;
   const auto& plans = *state.shown->plans;
   const int count = int(plans.size());
   const DailyPlan* chosen = chosen_plan(state);
   const int from = chosen != nullptr ? int(chosen - plans.data()) : step > 0 ? count - 1 : 0;
+  const int species = chosen != nullptr ? chosen->species : species_with_plan(state);
   for (int i = 1; i <= count; ++i) {
     const int index = ((from + step * i) % count + count) % count;
     const DailyPlan& plan = plans[std::size_t(index)];
-    if (chosen != nullptr ? plan.species == chosen->species : visible(state, plan.species)) return index;
+    if (species >= 0 ? plan.species == species : visible(state, plan.species)) return index;
   }
   return -1;
 }
 
 bool choose_nearest_herd(EditorState& state, int species) {
   if (!state.shown || !state.shown->plans) return false;
+  if (species < 0) species = species_with_plan(state);
   int nearest = -1;
   double least = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < state.shown->plans->size(); ++i) {

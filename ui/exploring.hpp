@@ -59,12 +59,13 @@ void set_walking(EditorState& state, bool walking);
 /// Starts walking at a place in cells.
 void walk_at(EditorState& state, PathPoint cell);
 
-/// Plans of the snapshot, in their order, of the chosen herd's species; of all visible species when none is chosen. -1 when there
-/// is none. `step` is 1 for the next and -1 for the one before.
+/// Plans of the snapshot, in their order, of the chosen herd's species; when no herd is chosen, of the species that is, or where that
+/// has no plan of all visible ones. -1 when there is none. `step` is 1 for the next and -1 for the one before.
 [[nodiscard]] int neighbouring_plan(const EditorState& state, int step);
 /// Chooses the herd of a plan of what is shown; false when it cannot be named.
 bool choose_plan(EditorState& state, int plan);
-/// Chooses the herd of a species that is nearest to the camera, of any visible one for -1; false when there is none.
+/// Chooses the herd of a species that is nearest to the camera; for -1 of the chosen species, or where that has no plan of any
+/// visible one. False when there is none.
 bool choose_nearest_herd(EditorState& state, int species = -1);
 /// Where the chosen herd is now, m; nothing when no herd is chosen or it has no place.
 [[nodiscard]] std::optional<glm::dvec3> chosen_herd_place(const EditorState& state);

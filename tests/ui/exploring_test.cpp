@@ -156,6 +156,24 @@ TEST_CASE("next and previous go through a species' herds and come around") {
   CHECK(neighbouring_plan(state, 1) == -1);
 }
 
+TEST_CASE("while no herd is chosen, next and previous go through those of the chosen species") {
+  EditorState state;
+  auto maps = with_herds();
+  auto plans = std::make_shared<std::vector<DailyPlan>>(*maps->plans);
+  DailyPlan other = plans->front();
+  other.species = plans->front().species + 1;
+  plans->insert(plans->begin() + 1, other);
+  maps->plans = plans;
+  state.shown = maps;
+  state.document = maps->document;
+  state.selected_species = other.species;
+  CHECK(neighbouring_plan(state, 1) == 1);
+  CHECK(neighbouring_plan(state, -1) == 1);
+  // A species without herds leaves the choice to all that are seen.
+  state.selected_species = other.species + 1;
+  CHECK(neighbouring_plan(state, 1) == 0);
+}
+
 TEST_CASE("a plan that is not there, or on a level that is not, is neither chosen nor placed") {
   EditorState state;
   const auto maps = with_herds();
