@@ -178,7 +178,7 @@ FrameUniforms LandscapeRenderer::State::frame(const Camera& camera, const Landsc
                                               int width, int height) {
   const Terrain& ground = snapshot->terrain();
   const glm::vec2 heights = terrain->ready() ? terrain->height_range() : glm::vec2(0, 1);
-  const double above = camera.position.z - ground_height(ground, camera.position.x, camera.position.y);
+  const double above = height_above_surface(*snapshot, camera.position);
   const float near_plane = std::clamp(float(above) * 0.2F, 0.3F, 25.0F);
   const AirLayer air{heights.x, heights.y, float(std::max(ground.width_metres(), ground.height_metres())), float(above)};
   const float far_plane = 4.5F * air.extent + float(std::abs(above)) + (heights.y - heights.x);
@@ -205,8 +205,7 @@ void LandscapeRenderer::State::count(const DrawCount& drawn) {
 bool LandscapeRenderer::State::draw_shadows(const Camera& camera, const LandscapeOptions& options, const Daylight& light,
                                             const FrameUniforms& frame, bool with_plants) {
   const bool drawn = options.shadows && options.quality >= shadow_quality;
-  const Terrain& ground = snapshot->terrain();
-  const double above = std::max(0.5, camera.position.z - ground_height(ground, camera.position.x, camera.position.y));
+  const double above = std::max(0.5, height_above_surface(*snapshot, camera.position));
   const PlantRenderer* casting = with_plants ? plants.get() : nullptr;
   ShadowView view;
   if (drawn) {
@@ -254,8 +253,7 @@ void LandscapeRenderer::State::draw_world(const Camera& camera, const LandscapeO
   const bool with_plants = options.plants && planted && same_extent(planted->terrain(), ground);
   if (with_plants) {
     plants_complete = plants->prepare(plant_look(options), camera.position, frame, frustum, 1000 * options.patience);
-    frame.shade_area = PlantRenderer::shade_area(camera.position,
-                                                 camera.position.z - ground_height(ground, camera.position.x, camera.position.y));
+    frame.shade_area = PlantRenderer::shade_area(camera.position, height_above_surface(*snapshot, camera.position));
     // Under clouds light comes from all sides.
     frame.shade_area.w = glm::mix(0.55F, 1.0F, light.shadows);
     look.canopy_from = plants->canopy_range().x;

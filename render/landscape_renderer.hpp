@@ -106,6 +106,8 @@ class LandscapeRenderer {
 
 /// Height of the ground at metres (x east, y north of the south-west corner), bilinear.
 [[nodiscard]] float ground_height(const Terrain& terrain, double x, double y);
+/// Height of a place (metres from the south-west corner, z above sea level) over the ground, or over the water on it, m.
+[[nodiscard]] double height_above_surface(const MapsSnapshot& snapshot, const glm::dvec3& place);
 
 /// Where a ray from `origin` along `direction` first meets the ground within `reach` metres.
 [[nodiscard]] std::optional<glm::dvec3> pick_ground(const Terrain& terrain, const glm::dvec3& origin, const glm::vec3& direction,

@@ -9,6 +9,16 @@ float ground_height(const Terrain& terrain, double x, double y) {
   return sample_bilinear(terrain.height, x / terrain.cell_size - 0.5, terrain.height.height() - 0.5 - y / terrain.cell_size);
 }
 
+double height_above_surface(const MapsSnapshot& snapshot, const glm::dvec3& place) {
+  const Terrain& terrain = snapshot.terrain();
+  const double above = place.z - double(ground_height(terrain, place.x, place.y));
+  if (!snapshot.hydrology || snapshot.hydrology->water_depth.rect() != terrain.height.rect()) return above;
+  const Grid<float>& depth = snapshot.hydrology->water_depth;
+  const int x = int(std::floor(place.x / terrain.cell_size));
+  const int y = depth.height() - 1 - int(std::floor(place.y / terrain.cell_size));
+  return above - double(depth.clamped(x, y));
+}
+
 std::optional<glm::dvec3> pick_ground(const Terrain& terrain, const glm::dvec3& origin, const glm::vec3& direction, double reach) {
   if (terrain.height.empty() || glm::length(direction) <= 0) return std::nullopt;
   const glm::dvec3 along = glm::normalize(glm::dvec3(direction));

@@ -174,6 +174,29 @@ TEST_CASE("water moves with time, and stands still when time does") {
   }
 }
 
+TEST_CASE("low over a deep lake its water is seen down to the picture's lower edge") {
+  auto snapshot = bare_landscape();
+  auto lake = std::make_shared<Hydrology>(*river(0, 0));
+  lake->reaches.clear();
+  lake->water_depth = Grid<float>(cells, cells, 80);
+  lake->water = Grid<WaterKind>(cells, cells, WaterKind::lake);
+  snapshot->hydrology = lake;
+  CHECK(height_above_surface(*snapshot, {256, 256, 182}) == Approx(2));
+  Scene scene;
+  if (!scene.make(snapshot)) return;
+  scene.camera.position = {256, 256, 182};
+  scene.camera.pitch = -10;
+  const auto lowest_rows = [&](double seconds) {
+    scene.options.seconds = seconds;
+    Image image = scene.draw();
+    image.rgba.erase(image.rgba.begin(), image.rgba.begin() + std::ptrdiff_t(picture_width) * (picture_height - 12) * 4);
+    image.height = 12;
+    return image;
+  };
+  // Only what is there moves.
+  CHECK(different(lowest_rows(0), lowest_rows(1)) > 100);
+}
+
 TEST_CASE("clouds drift, and their shadows with them") {
   const auto snapshot = mountain_slope();
   Scene scene;
