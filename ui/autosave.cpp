@@ -18,6 +18,8 @@ namespace biotope {
 namespace {
 
 constexpr std::string_view prefix = "recovery-";
+/// Of the writing thread: behind the window, before the maps. Our choice.
+constexpr int niceness = 5;
 
 /// Whose a recovery file is. A process is known by its number and when it started, since numbers are used again.
 struct Owner {
@@ -153,8 +155,8 @@ void Autosave::start_writing(const EditorState& state) {
   writing_.start("Autosave",
                  [file = file_, document = state.document, cache = cache_,
                   views = saved_views_to_json(state.views)](const TaskContext&) -> Result<bool> {
-                   // The window and the maps come first: one thread, behind the others.
-                   setpriority(PRIO_PROCESS, 0, 10);
+                   // The window comes first: one thread, behind the others; not so far that other programs could starve it.
+                   setpriority(PRIO_PROCESS, 0, std::min(19, getpriority(PRIO_PROCESS, 0) + niceness));
                    Status saved;
                    tbb::task_arena one_thread(1);
                    one_thread.execute([&] { saved = save_scene(file, document, cache.get(), views); });
@@ -173,9 +175,10 @@ void Autosave::tick(EditorState& state, double now) {
     return;
   }
   const bool changed = stroking || written_stroking_ || state.edits != written_edits_;
-  if (!changed || writing_.running()) return;
+  if (!changed) return;
+  // Counted while a copy is still being written too: a slow disk must not make the next one later.
   if (!due_) due_ = now + double(state.settings.autosave_seconds);
-  if (now < *due_) return;
+  if (now < *due_ || writing_.running()) return;
   due_.reset();
   start_writing(state);
 }

@@ -56,6 +56,25 @@ const LayerId grass{LayerKind::plant_density, "grass"};
 
 }  // namespace
 
+TEST_CASE("what is painted while a copy is written waits no longer for the next one") {
+  const Scratch scratch;
+  EditorState state;
+  show_small(state);
+  Autosave autosave(scratch.path);
+  begin_stroke(state, 30, 30);
+  autosave.tick(state, 200);
+  autosave.tick(state, 200 + autosave_seconds);
+  // Painted on at once.
+  autosave.tick(state, 201 + autosave_seconds);
+  finish_copy(autosave, state, 202 + autosave_seconds);
+  const auto first = std::filesystem::last_write_time(autosave.file());
+  for (int i = 0; i < 2000 && std::filesystem::last_write_time(autosave.file()) == first; ++i) {
+    autosave.tick(state, 201.5 + 2 * autosave_seconds);
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  CHECK(std::filesystem::last_write_time(autosave.file()) != first);
+}
+
 TEST_CASE("work is copied while a stroke is being painted, and the copy goes when the work is saved") {
   const Scratch scratch;
   EditorState state;
