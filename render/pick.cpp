@@ -19,7 +19,8 @@ double height_above_surface(const MapsSnapshot& snapshot, const glm::dvec3& plac
   return above - double(depth.clamped(x, y));
 }
 
-std::optional<glm::dvec3> pick_ground(const Terrain& terrain, const glm::dvec3& origin, const glm::vec3& direction, double reach) {
+std::optional<glm::dvec3> pick_ground(const Terrain& terrain, const glm::dvec3& origin, const glm::vec3& direction,
+                                      double reach) {
   if (terrain.height.empty() || glm::length(direction) <= 0) return std::nullopt;
   const glm::dvec3 along = glm::normalize(glm::dvec3(direction));
   const auto at = [&](double t) { return origin + t * along; };

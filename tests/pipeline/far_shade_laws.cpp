@@ -8,6 +8,7 @@
 #include "core/pipeline/worker.hpp"
 #include "tests/pipeline/random_edits.hpp"
 #include "tests/pipeline/snapshot_comparison.hpp"
+#include "tests/pipeline/stopped_solve.hpp"
 #include "tests/scenes/small_valley.hpp"
 
 using namespace biotope;
@@ -153,14 +154,7 @@ TEST_CASE("Incremental equals from scratch among mountains, with stops anywhere 
     }
     INFO("step " << step);
     if (random_int(0, 2, {step, 196}) == 0) {
-      std::stop_source source;
-      TaskContext context;
-      context.stop = source.get_token();
-      int reports = random_int(1, 24, {step, 197});
-      context.progress = [&](std::string_view, double) {
-        if (--reports <= 0) source.request_stop();
-      };
-      (void)solve(document, &cache, context, [](const Maps&) {});
+      solve_until(document, cache, random_int(1, 24, {step, 197}));
     } else {
       maps = solved(document, &cache, [](const Maps&) {});
       require_same(*maps, *solved(document));

@@ -7,6 +7,7 @@
 #include "core/pipeline/worker.hpp"
 #include "tests/pipeline/edit_steps.hpp"
 #include "tests/pipeline/snapshot_comparison.hpp"
+#include "tests/pipeline/stopped_solve.hpp"
 
 using namespace biotope;
 
@@ -95,15 +96,9 @@ TEST_CASE("Ground that is painted, undone, drawn on and painted again is answere
             kind < 4 ? BrushMode::add : BrushMode::set);
       }
       states.push_back(document);
-      std::stop_source source;
-      TaskContext context;
-      context.stop = source.get_token();
-      int reports = chance.whole(1, 24);
-      context.progress = [&](std::string_view, double) {
-        if (--reports <= 0) source.request_stop();
-      };
+      const int reports = chance.whole(1, 24);
       if (chance.whole(0, 1) == 0) {
-        (void)solve(document, &cache, context, [](const Maps&) {});
+        solve_until(document, cache, reports);
       } else {
         INFO("session " << session << ", step " << step);
         require_same(*solved(document, &cache, [](const Maps&) {}), *solved(document));
