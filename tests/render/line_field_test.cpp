@@ -28,7 +28,8 @@ Hydrology two_reaches(int last, int next) {
 }  // namespace
 
 TEST_CASE("a river is drawn on to the junction that it flows into") {
-  const Terrain& terrain = level_landscape()->terrain();
+  const auto landscape = level_landscape();
+  const Terrain& terrain = landscape->terrain();
   Hydrology water = two_reaches(59, 60);
   // A first reach whose water leaves the map ends in the middle of its last cell, 4 m from where the second begins.
   CHECK(shore_distance(shore_field(terrain, water, 4)(64 * 4 + 2, 60 * 4)) < 0);
@@ -38,7 +39,8 @@ TEST_CASE("a river is drawn on to the junction that it flows into") {
 }
 
 TEST_CASE("shores lie half a river's width from its middle") {
-  const Terrain& terrain = level_landscape()->terrain();
+  const auto landscape = level_landscape();
+  const Terrain& terrain = landscape->terrain();
   const Grid<std::uint8_t> shore = shore_field(terrain, *river(60, 68), 2);
   // 32 m wide about the middle of column 64.
   CHECK(shore_distance(shore(64 * 2, 128)) > 7);
@@ -48,7 +50,8 @@ TEST_CASE("shores lie half a river's width from its middle") {
 }
 
 TEST_CASE("a river is wider at a ford") {
-  const Terrain& terrain = level_landscape()->terrain();
+  const auto landscape = level_landscape();
+  const Terrain& terrain = landscape->terrain();
   const Hydrology water = two_reaches(59, 60);
   const auto half_width = [&](const Grid<std::uint8_t>& shore, int row) {
     return shore_distance(shore(64 * 4 + 2, row * 4 + 2));
