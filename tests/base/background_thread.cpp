@@ -2,24 +2,15 @@
 
 #include <catch2/catch.hpp>
 #include <chrono>
+#include <future>
 #include <stdexcept>
 #include <thread>
 #include <vector>
 
+#include "tests/base/noting.hpp"
+
 using namespace biotope;
-
-namespace {
-
-/// Notes which thread freed it.
-struct Noting {
-  explicit Noting(std::promise<std::thread::id>& note) : freed_by(note) {}
-  ~Noting() { freed_by.set_value(std::this_thread::get_id()); }
-  Noting(const Noting&) = delete;
-  Noting& operator=(const Noting&) = delete;
-  std::promise<std::thread::id>& freed_by;
-};
-
-}  // namespace
+using biotope::test::Noting;
 
 TEST_CASE("a background thread does what it is given one after the other, and not on the caller's thread") {
   BackgroundThread thread;

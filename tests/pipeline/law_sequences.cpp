@@ -9,6 +9,7 @@
 #include "core/pipeline/worker.hpp"
 #include "tests/pipeline/edit_steps.hpp"
 #include "tests/pipeline/snapshot_comparison.hpp"
+#include "tests/pipeline/stopped_solve.hpp"
 
 using namespace biotope;
 
@@ -36,17 +37,6 @@ std::shared_ptr<const MapsSnapshot> from_scratch(const Document& document, std::
   return *maps;
 }
 
-/// Solves, and asks to stop when the stages have reported `reports` times.
-void solve_and_stop(const Document& document, SolveCache& cache, int reports) {
-  std::stop_source source;
-  TaskContext context;
-  context.stop = source.get_token();
-  context.progress = [&](std::string_view, double) {
-    if (--reports <= 0) source.request_stop();
-  };
-  (void)solve(document, &cache, context, [](const std::shared_ptr<const MapsSnapshot>&) {});
-}
-
 /// A law: given the steps of a session, what breaks it; empty when it holds.
 using Law = std::function<std::string(const std::vector<Step>&)>;
 
@@ -59,7 +49,7 @@ std::string incremental_is_scratch(const std::vector<Step>& steps) {
     session.perform(step);
     if (step.answer == Answer::whole)
       (void)solve(session.document(), &cache, {}, [](const std::shared_ptr<const MapsSnapshot>&) {});
-    if (step.answer == Answer::stopped) solve_and_stop(session.document(), cache, 1 + int(step.number % 29));
+    if (step.answer == Answer::stopped) solve_until(session.document(), cache, 1 + int(step.number % 29));
   }
   const auto maps = solve(session.document(), &cache);
   if (!maps) return maps.error().message;

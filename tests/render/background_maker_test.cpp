@@ -11,7 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include "tests/base/noting.hpp"
+
 using namespace biotope;
+using biotope::test::Noting;
 
 namespace {
 
@@ -121,14 +124,6 @@ TEST_CASE("a picture too large to make leaves what is shown, and the next one is
 
 namespace {
 
-/// Notes which thread freed it.
-struct Noting {
-  explicit Noting(std::promise<std::thread::id>& note) : freed_by(note) {}
-  ~Noting() { freed_by.set_value(std::this_thread::get_id()); }
-  Noting(const Noting&) = delete;
-  Noting& operator=(const Noting&) = delete;
-  std::promise<std::thread::id>& freed_by;
-};
 using NotingMaker = BackgroundMaker<std::promise<std::thread::id>*, Noting>;
 
 NotingMaker::Make making_notes(std::thread::id& made_by) {
